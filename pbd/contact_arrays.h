@@ -35,6 +35,8 @@ class ContactArrays {
   void part_neighbours(const Substep<D>& substep);
   uint32_t capacity() const { return static_cast<uint32_t>(contacts_.size()); }
   void grow() { resize(capacity() + capacity() / 4); }
+  /// For far fewer particles: the contacts get the room that they had at first.
+  void shrink(uint32_t particles) { resize(first_room(particles)); }
 
   ContactView view() {
     bool any_moving = false;
@@ -44,6 +46,7 @@ class ContactArrays {
   }
 
  private:
+  static uint32_t first_room(uint32_t particles) { return particles < 8192 ? 1024 : particles / 8; }
   void resize(uint32_t contacts);
   /// The two counts follow the counts of the particles, so that one fill sets all of them to 0.
   TouchingView touching() { return {touching_.view(), {counts_.view().data + counted_, 2}}; }

@@ -36,9 +36,9 @@ struct GridView {
   View<const uint32_t>
       start;  ///< of each cell's sorted particles, which end where those of the next cell start
 
-  // The slab of a rank, in layers of cells along z, or along y. Its cells come first. The same cells follow
-  // for the ghosts outside of the slab, and then one cell for particles that are neither. So owned particles
-  // come first, then ghosts. Without ranks all layers are in the slab.
+  // The slab of a rank, in layers of cells along z, or along y. Its cells come first. The cells of two layers
+  // follow, for the ghosts below and above the slab, and then one cell for particles that are neither. So
+  // owned particles come first, then ghosts. Without ranks all layers are in the slab.
   bool layers_along_y = false;
   uint32_t first_layer = 0, last_layer = ~0u;  ///< last − first, which may wrap around
 
@@ -48,8 +48,11 @@ struct GridView {
   /// The first cell of particle i's world.
   MENISCUS_HD uint32_t first_cell(uint32_t i) const { return each ? i / each << key_bits() : 0; }
   MENISCUS_HD bool is_slab() const { return last_layer != ~0u; }
+  MENISCUS_HD uint32_t layer_bits() const { return layers_along_y ? bits_z : bits_y; }
   /// With those of ghosts.
-  MENISCUS_HD uint32_t all_cells() const { return is_slab() ? 2 * cell_count() + 1 : cell_count(); }
+  MENISCUS_HD uint32_t all_cells() const {
+    return is_slab() ? cell_count() + (2u << (bits_x + layer_bits())) + 1 : cell_count();
+  }
   MENISCUS_HD int32_t layer(CellCoordinates c) const { return layers_along_y ? c.y : c.z; }
   /// Whether the slab or a layer next to it contains a cell.
   MENISCUS_HD bool holds(CellCoordinates c) const {
@@ -70,10 +73,16 @@ struct GridView {
   }
   /// The key of a row's first cell.
   MENISCUS_HD uint32_t row(uint32_t y, uint32_t z) const {
+    if ((layers_along_y ? y : z) - first_layer > last_layer) return ghost_row(y, z);
     const uint32_t strip = (y & ((1u << bits_y) - 1)) >> strip_bits, in_strip = y & ((1u << strip_bits) - 1);
     const uint32_t row_layer = (strip << bits_z) + (z & ((1u << bits_z) - 1));
-    const uint32_t in_slab = ((row_layer << strip_bits) + in_strip) << bits_x;
-    return (layers_along_y ? y : z) - first_layer > last_layer ? in_slab + cell_count() : in_slab;
+    return ((row_layer << strip_bits) + in_strip) << bits_x;
+  }
+  /// The same outside of the slab: the cells of a layer are in the same order as in it.
+  MENISCUS_HD uint32_t ghost_row(uint32_t y, uint32_t z) const {
+    const uint32_t is_above = (layers_along_y ? y : z) - first_layer == ~0u ? 0 : 1;
+    const uint32_t across = (layers_along_y ? z : y) & ((1u << layer_bits()) - 1);
+    return cell_count() + (((is_above << layer_bits()) + across) << bits_x);
   }
 };
 

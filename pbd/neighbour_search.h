@@ -73,8 +73,11 @@ class NeighbourSearch {
   /// Allocates for `capacity` particles.
   void reserve(uint32_t capacity);
 
-  /// From the next fit on, only the layers [first, end) have owned particles.
+  /// From now on only the layers [first, end) have owned particles.
   void set_slab(bool along_y, int32_t first, int32_t end);
+  /// Like fit(), for a slab: `count` and `extent` are of the particles of all ranks. So a layer has its cells
+  /// in the same order on all of them. `layers`: of the slab, with its ghosts.
+  void fit_slab(const Aabb& extent, uint32_t count, int32_t layers);
   /// After a sort of a slab: the numbers of owned particles and of ghosts.
   std::pair<uint32_t, uint32_t> count_slab() const;
 
@@ -110,14 +113,18 @@ class NeighbourSearch {
   /// At h = 2 s a list usually has about 32 entries, and rarely more than 44.
   static constexpr uint32_t usual_row = 48;
 
-  void make_table(uint32_t cells);
-  void grow_table(uint32_t bits);
-  uint32_t stride() const { return D::interleaves_lists ? capacity_ : 0; }
+  void shape(const Aabb& extent, uint32_t count, uint32_t most_bits);
+  void reserve_table(uint32_t cells);
+  void grow_table(const Aabb& extent);
+  uint32_t stride() const { return D::interleaves_lists ? rows_ : 0; }
+  void reserve_lists(uint32_t rows);
 
   D& device_;
   float support_radius_;
   GridView grid_;
   uint32_t capacity_ = 0, worlds_ = 1;
+  uint32_t rows_ =
+      0;  // lists that have room; in a slab fewer than there may be particles, since ghosts have none
   uint32_t cells_ = 0;  // room for a table of so many, for each world
   uint32_t row_capacity_;
   bool is_coarse_ = false;  // lists are built from coarse positions

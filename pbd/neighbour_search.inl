@@ -186,10 +186,29 @@ struct ListNeighbours {
   }
 };
 
+/// Cells of a table for so many particles.
+inline uint32_t table_for(uint32_t count, uint32_t least) {
+  uint32_t cells = least;
+  while (cells < GridView::slices * count) cells *= 2;
+  return cells;
+}
+
 inline uint32_t bits_for(float cells, uint32_t least) {
   uint32_t bits = least;
   while (bits < 30 && static_cast<float>(1u << bits) < cells) ++bits;
   return bits;
+}
+
+/// The extent in support radii, with a cell on each side.
+inline Vec3 reaches_of(float inverse_reach, const Aabb& extent) {
+  return inverse_reach * (extent.upper - extent.lower) + Vec3{2, 2, 2};
+}
+
+/// The bits of a table, on each axis, in which no cells of the extent share an entry.
+inline std::array<uint32_t, 3> bits_of(float inverse_reach, const Aabb& extent) {
+  const Vec3 reaches = reaches_of(inverse_reach, extent);
+  return {bits_for(GridView::slices * reaches.x, GridView::least_bits_x),
+          bits_for(reaches.y, GridView::least_bits), bits_for(reaches.z, GridView::least_bits)};
 }
 
 /// As many rows as keep the indices of neighbours close to each other: all, if a layer has few particles;
@@ -214,78 +233,97 @@ void NeighbourSearch<D>::reserve(uint32_t capacity) {
   capacity_ = capacity;
   const uint32_t size = capacity + Particles::padding;
   for (Buffer<uint32_t>* b : {&order_, &counts_}) b->resize_discard(size);
-  index_.resize_discard(size_t{size} * row_capacity_);
+  reserve_lists(grid_.is_slab() ? 0 : capacity);  // those of a slab grow with it
   if constexpr (D::interleaves_lists) coarse_.resize_discard(size / HalfBlock::points + 3);
-  uint32_t cells = worlds_ == 1 ? 4096 : 1u << 8;
-  while (cells < GridView::slices * (capacity / worlds_)) cells *= 2;
-  make_table(cells);
+  if (grid_.is_slab()) return;  // see fit_slab()
+  cells_ = neighbour_kernels::table_for(capacity / worlds_, worlds_ == 1 ? 4096 : 1u << 8);
+  reserve_table(worlds_ * cells_);
 }
 
-/// `cells`: of a world.
 template <class D>
-void NeighbourSearch<D>::make_table(uint32_t cells) {
-  cells_ = cells;
-  const uint32_t all = grid_.is_slab() ? 2 * cells + 1 : worlds_ * cells;
-  cell_counts_.resize_discard(all);
+void NeighbourSearch<D>::reserve_lists(uint32_t rows) {
+  rows_ = 0;
+  index_.resize_discard((size_t{rows} + Particles::padding) * row_capacity_);
+  rows_ = rows;
+}
+
+template <class D>
+void NeighbourSearch<D>::reserve_table(uint32_t cells) {
+  cell_counts_.resize_discard(cells);
   cell_counts_.fill(0);
-  cell_start_.resize_discard(all + 1);
+  cell_start_.resize_discard(cells + 1);
 }
 
 template <class D>
 void NeighbourSearch<D>::set_slab(bool along_y, int32_t first, int32_t end) {
-  const bool was_slab = grid_.is_slab();
   grid_.layers_along_y = along_y;
   grid_.first_layer = static_cast<uint32_t>(first);
   grid_.last_layer = static_cast<uint32_t>(end) - static_cast<uint32_t>(first) - 1;
-  if (!was_slab) reserve(capacity_);
+}
+
+template <class D>
+void NeighbourSearch<D>::fit_slab(const Aabb& extent, uint32_t count, int32_t layers) {
+  using namespace neighbour_kernels;
+  shape(extent, count, static_cast<uint32_t>(std::bit_width(table_for(count, 4096))) - 1);
+  uint32_t& bits = grid_.layers_along_y ? grid_.bits_y : grid_.bits_z;
+  bits = std::min(bits, bits_for(static_cast<float>(layers), GridView::least_bits));
+  grid_.strip_bits = std::min(grid_.strip_bits, grid_.bits_y);
+  if (grid_.all_cells() > cell_counts_.size() || cell_counts_.size() > 3 * size_t{grid_.all_cells()})
+    reserve_table(grid_.all_cells());
+  grid_.start = cell_start_.view().first(grid_.all_cells() + 1);
 }
 
 template <class D>
 std::pair<uint32_t, uint32_t> NeighbourSearch<D>::count_slab() const {
-  const uint32_t cells = grid_.cell_count();
   uint32_t owned = 0, both = 0;
-  device_.copy_out(&owned, grid_.start.data + cells, sizeof owned);
-  device_.copy_out(&both, grid_.start.data + 2 * cells, sizeof both);
+  device_.copy_out(&owned, grid_.start.data + grid_.cell_count(), sizeof owned);
+  device_.copy_out(&both, grid_.start.data + grid_.all_cells() - 1, sizeof both);
   return {owned, both - owned};
 }
 
-/// To 2^bits cells, but not beyond 8 times what the particles need. If there is not enough memory, the table
-/// is as before.
+/// To a cell for each place in the extent, but not beyond 8 times what the particles need. If there is not
+/// enough memory, the table is as before.
 template <class D>
-void NeighbourSearch<D>::grow_table(uint32_t bits) {
+void NeighbourSearch<D>::grow_table(const Aabb& extent) {
+  uint32_t bits = 0;
+  for (const uint32_t of_axis : neighbour_kernels::bits_of(grid_.inverse_reach, extent)) bits += of_axis;
   const uint32_t before = cells_;
   const uint64_t most = 8 * uint64_t{GridView::slices} * (capacity_ / worlds_);
-  const uint64_t cells = std::min(uint64_t{1} << bits, std::bit_floor(most));
+  const uint64_t cells = std::min(uint64_t{1} << std::min(bits, 31u), std::bit_floor(most));
   if (cells <= before) return;
   try {
-    make_table(static_cast<uint32_t>(cells));
+    cells_ = static_cast<uint32_t>(cells);
+    reserve_table(worlds_ * cells_);
   } catch (...) {
-    make_table(before);
+    cells_ = before;
+    reserve_table(worlds_ * cells_);
     throw;
   }
 }
 
 template <class D>
 void NeighbourSearch<D>::fit(const Aabb& extent, uint32_t count) {
+  if (has_own_cells_) grow_table(extent);
+  shape(extent, count, static_cast<uint32_t>(std::bit_width(cells_)) - 1);
+  grid_.start = cell_start_.view().first(worlds_ * grid_.all_cells() + 1);
+}
+
+template <class D>
+void NeighbourSearch<D>::shape(const Aabb& extent, uint32_t count, uint32_t most_bits) {
   using namespace neighbour_kernels;
-  const Vec3 reaches = grid_.inverse_reach * (extent.upper - extent.lower) + Vec3{2, 2, 2};
-  uint32_t bits[3] = {bits_for(GridView::slices * reaches.x, GridView::least_bits_x),
-                      bits_for(reaches.y, GridView::least_bits), bits_for(reaches.z, GridView::least_bits)};
-  const uint32_t wanted_bits = bits[0] + bits[1] + bits[2];
-  if (has_own_cells_) grow_table(std::min(wanted_bits, 31u));
-  const uint32_t most_bits = static_cast<uint32_t>(std::bit_width(cells_)) - 1;
+  std::array<uint32_t, 3> bits = bits_of(grid_.inverse_reach, extent);
   if constexpr (D::interleaves_lists) {
     // Coarse positions do not distinguish cells that share an entry, and are too coarse far from the origin.
     const Vec3 far = grid_.inverse_reach * max(abs(extent.lower), abs(extent.upper));
     is_coarse_ = !device_.fixes_sums() && count > D::most_teams && bits[0] + bits[1] + bits[2] <= most_bits &&
                  Surroundings::slack_at(far) < search_tuning::most_coarse_slack;
   }
-  while (bits[0] + bits[1] + bits[2] > most_bits) --*std::max_element(bits, bits + 3);
+  while (bits[0] + bits[1] + bits[2] > most_bits) --*std::ranges::max_element(bits);
   grid_.bits_x = bits[0];
   grid_.bits_y = bits[1];
   grid_.bits_z = bits[2];
-  grid_.strip_bits = std::min(strip_bits_for(reaches, count / worlds_), bits[1]);
-  grid_.start = cell_start_.view().first(worlds_ * grid_.all_cells() + 1);
+  grid_.strip_bits =
+      std::min(strip_bits_for(reaches_of(grid_.inverse_reach, extent), count / worlds_), bits[1]);
 }
 
 template <class D>
@@ -294,6 +332,7 @@ CellOrder NeighbourSearch<D>::sort(const Points& points, View<const uint32_t> nu
   using namespace neighbour_kernels;
   const uint32_t count = number.count, cells = worlds_ * grid_.all_cells();
   const View<uint32_t> counts = cell_counts_.view().first(cells);
+  if (size_t{4} * count > index_.size()) reserve_lists(4 * (count / row_capacity_ + 1));
   uint32_t* const room = index_.view().data;
   const View<uint32_t> keys{room, count}, arrival{room + count, count}, placed{arrival.data + count, count},
       placed_number{placed.data + count, count};
@@ -331,12 +370,16 @@ void NeighbourSearch<D>::list(const ParticleView& particles, uint32_t sentinel, 
 template <class D>
 void NeighbourSearch<D>::grow_rows(uint32_t needed) {
   const uint32_t row_capacity = (needed + needed / 8 + 15) / 16 * 16;
-  index_.resize_or_stay(size_t{capacity_ + Particles::padding} * row_capacity);
+  index_.resize_or_stay((size_t{rows_} + Particles::padding) * row_capacity);
   row_capacity_ = row_capacity;
 }
 
 template <class D>
 NeighbourView NeighbourSearch<D>::view(uint32_t sentinel) {
+  if (grid_.is_slab()) {  // the sort is done, and its temporary memory is free
+    const uint32_t owned = count_slab().first;
+    if (owned > rows_) reserve_lists(owned + owned / 16);
+  }
   return {index_.view(), counts_.view(), row_capacity_, stride(), sentinel};
 }
 

@@ -28,6 +28,11 @@ struct Selected {
   uint32_t index, tag;
 };
 
+/// Thrown on all ranks, if one of them has no room for what the others want to send.
+struct LacksRoom {
+  uint32_t needed;  ///< particles on this rank, with its ghosts
+};
+
 /// Each particle has one owner: the rank in whose slab its predicted position is. Before each sort, a rank
 /// sends away the particles that others own from now on, and copies of those that are ghosts there. The sort
 /// puts owned particles first and ghosts behind them, both in the canonical order. The grids of all ranks
@@ -50,9 +55,11 @@ class RankExchange final : public GhostExchange {
   void balance(const ParticleView& particles, const GridView& grid, const Aabb& extent);
   int32_t first_layer() const { return slabs_.first(ranks_.rank()); }
   int32_t end_layer() const { return slabs_.end(ranks_.rank()); }
+  /// The layers that may have particles of this rank or their ghosts, where this is the extent of all.
+  int32_t layers_within(const GridView& grid, const Aabb& extent) const;
 
   /// Sends the first `count` particles to where points(i) is, and writes those that arrive behind them.
-  /// Returns how many there are then.
+  /// Returns how many there are then. Throws LacksRoom before anything is sent.
   template <class Points>
   uint32_t send(const Points& points, const GridView& grid, uint32_t count,
                 const std::vector<WordArray>& arrays);
@@ -79,6 +86,7 @@ class RankExchange final : public GhostExchange {
   CutPolicy policy_;
   Slabs slabs_, even_slabs_;
   int looks_ = 0, steps_ = 0;
+  uint32_t capacity_ = 0;
 
   /// Particles that the rank below and the rank above need, and ghosts that they own.
   struct Side {

@@ -31,6 +31,7 @@ RankExchange<D>::RankExchange(D& device, Ranks& ranks, bool layers_along_y)
 
 template <class D>
 void RankExchange<D>::reserve(uint32_t capacity) {
+  capacity_ = capacity;
   counts_.resize_discard(capacity);
   start_.resize_discard(capacity + 1);
 }
@@ -53,6 +54,15 @@ typename RankExchange<D>::Layers RankExchange<D>::count_layers(const ParticleVie
                        rank_kernels::CountLayers{particles.position, shape, first, counts});
   const std::vector<uint32_t> own = histogram_.read(count);
   return {first, {own.begin(), own.end()}};
+}
+
+template <class D>
+int32_t RankExchange<D>::layers_within(const GridView& grid, const Aabb& extent) const {
+  GridView shape = grid;
+  shape.layers_along_y = layers_along_y_;
+  const int32_t first = std::max(shape.layer(shape.coordinates(extent.lower)), first_layer()),
+                last = std::min(shape.layer(shape.coordinates(extent.upper)), end_layer() - 1);
+  return std::max(last - first + 1, 1) + 2;
 }
 
 template <class D>
@@ -113,6 +123,7 @@ uint32_t RankExchange<D>::send(const Points& points, const GridView& grid, uint3
   uint32_t words = 0, arriving = 0;
   for (const WordArray& a : arrays) words += a.words;
   for (const uint32_t n : from) arriving += n;
+  if (is_on_any(ranks_, count + arriving > capacity_)) throw LacksRoom{count + arriving};
   make_room(lists_, list.size());
   make_room(out_, list.size() * words);
   make_room(in_, size_t{arriving} * words);

@@ -151,6 +151,9 @@ class Solver {
   CellOrder order_among_ranks(const solver_kernels::Prediction& prediction);
   void merge_over_ranks();
   void add_results_of_ranks(StepResult& result);
+  void keep_own_room();
+  template <class Work>
+  decltype(auto) with_room_on_all_ranks(const Work& work);
   void find(Substep<D>& s, bool prepares);
   Substep<D> find_at_rest(float dt);
   template <class Finish>
@@ -197,6 +200,7 @@ class Solver {
   SeamGhosts<D> ghosts_;
   std::optional<RankExchange<D>> exchange_;  // of a shared world
   bool has_all_particles_ = false;           // of all ranks: nothing needs to be sent
+  uint32_t all_particles_ = 0;               // of all ranks
   uint32_t rank_ghosts_ = 0;
   KeptWorld<D> kept_world_;
   std::vector<ConstraintSet<D>*> sets_;

@@ -169,7 +169,7 @@ void SurfaceTensionSet<D>::reserve(uint32_t capacity, uint32_t) {
 template <class D>
 void SurfaceTensionSet<D>::make_room() {
   const uint32_t size = capacity_ + pbd::Particles::padding;
-  if (!pulls_ || cohesion_.size() >= size) return;
+  if (!pulls_ || cohesion_.size() == size) return;
   cohesion_.resize_discard(0);
   curvature_.resize_discard(size);
   normal_.resize_discard(size);

@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace meniscus::pbd {
@@ -24,6 +23,13 @@ struct Sent {
 struct Received {
   int from;
   void* data;
+  size_t bytes;
+};
+
+/// Bytes on the host, and their place in a file.
+struct FilePart {
+  uint64_t offset;
+  const void* data;
   size_t bytes;
 };
 
@@ -53,8 +59,11 @@ class Ranks {
   virtual void transpose(std::span<const uint32_t> out, std::span<uint32_t> in) = 0;
   /// Element by element, over all ranks.
   virtual void add_up(std::span<uint64_t> values) = 0;
-  /// Ends the calls of all ranks, because this one cannot go on. Over MPI it ends all processes.
-  virtual void fail(const std::string& why) = 0;
+  /// All ranks write their parts into a file that is there. Returns whether this rank could.
+  virtual bool write_to_file(const char* path, std::span<const FilePart> parts) = 0;
+  /// Ends the calls of all ranks, because this one cannot go on. Over MPI it ends all processes. It takes no
+  /// memory until then.
+  virtual void fail(const char* why) = 0;
 
  private:
   [[noreturn]] static void refuse_gpus() {
@@ -68,6 +77,13 @@ std::vector<T> values_of_all(Ranks& ranks, const T& own) {
   std::vector<T> all(static_cast<size_t>(ranks.count()));
   ranks.gather_everywhere(std::as_bytes(std::span(&own, 1)), std::as_writable_bytes(std::span(all)));
   return all;
+}
+
+/// Whether it is so on any rank.
+inline bool is_on_any(Ranks& ranks, bool own) {
+  uint64_t count = own;
+  ranks.add_up({&count, 1});
+  return count > 0;
 }
 
 }  // namespace meniscus::pbd

@@ -70,16 +70,18 @@ Substep<D> Solver<D>::relax_once(float dt) {
 
 template <class D>
 void Solver<D>::measure(const std::function<void(Substep<D>&, const Found&)>& measure) {
-  save_state();
-  try {
-    const CallMonitor::Cancellable restored_below(device_.monitor());
-    Substep<D> s = find_at_rest(0);
-    measure(s, readout_.found);
-  } catch (...) {
-    undo_or_lose([&] { restore_state(); });
-    throw;
-  }
-  restore_state();
+  with_room_on_all_ranks([&] {
+    save_state();
+    try {
+      const CallMonitor::Cancellable restored_below(device_.monitor());
+      Substep<D> s = find_at_rest(0);
+      measure(s, readout_.found);
+    } catch (...) {
+      undo_or_lose([&] { restore_state(); });
+      throw;
+    }
+    restore_state();
+  });
 }
 
 template <class D>

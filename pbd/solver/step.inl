@@ -17,7 +17,7 @@ template <class D>
 void Solver<D>::begin_step(float dt, int iterations) {
   step_iterations_ = iterations;
   reserve_extra();
-  run(dt);
+  with_room_on_all_ranks([&] { run(dt); });
 }
 
 template <class D>
@@ -90,9 +90,7 @@ bool Solver<D>::had_room() {
   const bool had = has_ghost_room() && found.longest_list <= search_.row_capacity() &&
                    found.contacts.most < contacts_.capacity() &&
                    std::all_of(sets_.begin(), sets_.end(), [](const auto* set) { return set->had_room(); });
-  if (!exchange_) return had;
-  return std::ranges::all_of(values_of_all(exchange_->ranks(), uint32_t{had}),
-                             [](uint32_t all) { return all; });
+  return exchange_ ? !is_on_any(exchange_->ranks(), !had) : had;
 }
 
 /// Without room for all ghosts or contacts the rest of the step works with an arbitrary part of them. So what

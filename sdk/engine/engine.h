@@ -18,6 +18,15 @@
 
 namespace meniscus {
 
+/// The particles of one rank of a shared world.
+struct OwnParticles {
+  std::vector<uint32_t> slots;
+  std::vector<Vec3> positions, velocities;  ///< m, m/s
+  std::vector<uint32_t> fluids;
+  std::vector<float> density_errors;  ///< C = ρ/ρ₀ − 1
+  std::vector<float> pressures;       ///< Pa
+};
+
 class Engine {
  public:
   virtual ~Engine() = default;
@@ -190,12 +199,23 @@ class Engine {
   virtual Diagnostics measure(Vec3 gravity) = 0;
 
   // A shared world (sdk/world/shared/shared_world.h).
+  virtual uint32_t own_particles() const = 0;  ///< of this rank
+  virtual std::vector<uint32_t> particles_by_rank() = 0;
+  /// All ranks call it at the same time, while none follows: the values of its own particles. `slots` says
+  /// which they are.
+  virtual OwnParticles read_own_particles() = 0;
+  /// Each rank writes its particles into a file that is there: of array k of particle_items
+  /// (particle_items.h) behind those of the ranks before it, from offsets[k] on. Returns hashes of the parts,
+  /// by array and then by rank. Throws Error(io).
+  virtual std::vector<uint64_t> write_particle_items(const std::string& file,
+                                                     std::span<const uint64_t> offsets) = 0;
 
   /// Keeps this rank's particles. All ranks have made the same calls so far. From now on only steps and
   /// read-outs of particles may be called: by rank 0, while the others follow.
   virtual void share(pbd::Ranks& ranks, const pbd::CutPolicy& policy) = 0;
   /// Does what rank 0 asks for, until it calls end_following().
-  virtual void follow() = 0;
+  virtual bool follow() = 0;  ///< whether rank 0 only paused it
+  virtual void pause_following() = 0;
   virtual void end_following() = 0;
 };
 

@@ -37,6 +37,7 @@
 #include "sdk/engine/force_fields/force_fields.h"
 #include "sdk/engine/free_room.h"
 #include "sdk/engine/jets.h"
+#include "sdk/engine/particle_items.h"
 #include "sdk/engine/phases.h"
 #include "sdk/engine/pistons.h"
 #include "sdk/engine/rank_calls.h"
@@ -203,7 +204,15 @@ class DeviceEngine final : public Engine {
   Diagnostics measure(Vec3 gravity) override;
 
   void share(pbd::Ranks& ranks, const pbd::CutPolicy& policy) override;
-  void follow() override;
+  uint32_t own_particles() const override { return particles_.sorted(); }
+  std::vector<uint32_t> particles_by_rank() override;
+  OwnParticles read_own_particles() override;
+  std::vector<uint64_t> write_particle_items(const std::string& file,
+                                             std::span<const uint64_t> offsets) override;
+  bool follow() override;
+  void pause_following() override {
+    guarded(ranks_, [&] { announce({RankCall::pause}); });
+  }
   void end_following() override;
 
  private:
@@ -214,6 +223,8 @@ class DeviceEngine final : public Engine {
   void note_overlapping(pbd::View<const uint32_t> chosen_worlds);
   void reserve(uint32_t fluid, uint32_t vertices);
   void reserve_more(uint32_t more);
+  void reserve_readouts(uint32_t fluid);
+  void release_readouts();
   template <class Kernel>
   void push(uint32_t count, std::span<const uint32_t> who, std::span<const Vec3> impulses);
   void read_vector(pbd::View<const pbd::Vec4> from, std::span<Vec3> out);
@@ -225,6 +236,9 @@ class DeviceEngine final : public Engine {
   Overflows overflows() const;  // of the last step
   void follow(const RankCommand& command);
   void announce(const RankCommand& command);
+  void send_from_first(void* data, size_t bytes);
+  std::pair<bool, std::vector<uint64_t>> write_own_items(const std::string& file,
+                                                         std::span<const uint64_t> offsets);
   template <class Work>
   decltype(auto) guarded(pbd::Ranks* ranks, const Work& work);
   template <class Work>

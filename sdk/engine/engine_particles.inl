@@ -15,15 +15,20 @@ void DeviceEngine<D>::reserve(uint32_t fluid, uint32_t vertices) {
   const uint32_t capacity = fluid + vertices;
   fetch_contacts();
   solver_.reserve(fluid, vertices);
-  vector_out_.resize_or_stay(fluid);
-  scalar_out_.resize_or_stay(fluid);
-  full_out_.resize_or_stay(fluid);
-  index_out_.resize_or_stay(fluid);
+  reserve_readouts(fluid);
   state_sum_.resize_or_stay(1);
   count_out_.resize_or_stay(2);
   removal_.reserve(capacity);
   fluid_capacity_ = fluid;  // last: if memory ran out, the old capacity still holds
   vertex_capacity_ = vertices;
+}
+
+template <class D>
+void DeviceEngine<D>::reserve_readouts(uint32_t fluid) {
+  vector_out_.resize_or_stay(fluid);
+  scalar_out_.resize_or_stay(fluid);
+  full_out_.resize_or_stay(fluid);
+  index_out_.resize_or_stay(fluid);
 }
 
 template <class D>

@@ -16,13 +16,12 @@ namespace meniscus {
 template <class D>
 void DeviceEngine<D>::share(pbd::Ranks& ranks, const pbd::CutPolicy& policy) {
   guarded(&ranks, [&] {
-    std::vector<uint32_t> places(fluid_capacity_);
-    std::iota(places.begin(), places.end(), 0u);
-    replace(places_, std::span<const uint32_t>(places));
     all_particles_ = particles_.sorted();
     device_.monitor().commit();
     fetch_contacts();
     solver_.share(ranks, policy);
+    release_readouts();
+    removal_.reserve(0);
   });
   ranks_ = &ranks;
 }
@@ -33,13 +32,14 @@ void DeviceEngine<D>::end_following() {
 }
 
 template <class D>
-void DeviceEngine<D>::follow() {
-  guarded(ranks_, [&] {
+bool DeviceEngine<D>::follow() {
+  return guarded(ranks_, [&] {
     for (;;) {
       RankCommand command{};
       const pbd::Received received{0, &command, sizeof command};
       ranks_->exchange({}, {&received, 1});
-      if (command.call == RankCall::end) return;
+      if (command.call == RankCall::end) return false;
+      if (command.call == RankCall::pause) return true;
       follow(command);
     }
   });
@@ -71,7 +71,19 @@ void DeviceEngine<D>::follow(const RankCommand& command) {
     case RankCall::diagnostics:
       measure(def_.solver.gravity);
       return;
+    case RankCall::counts:
+      particles_by_rank();
+      return;
+    case RankCall::save: {
+      std::string file(static_cast<size_t>(command.iterations), '\0');
+      std::vector<uint64_t> offsets(particle_items.size());
+      send_from_first(file.data(), file.size());
+      send_from_first(offsets.data(), offsets.size() * sizeof(uint64_t));
+      write_own_items(file, offsets);
+      return;
+    }
     case RankCall::end:
+    case RankCall::pause:
       return;
   }
 }
@@ -82,6 +94,62 @@ void DeviceEngine<D>::announce(const RankCommand& command) {
   std::vector<pbd::Sent> sent;
   for (int r = 1; r < ranks_->count(); ++r) sent.push_back({r, &command, sizeof command});
   ranks_->exchange(sent, {});
+}
+
+template <class D>
+void DeviceEngine<D>::send_from_first(void* data, size_t bytes) {
+  if (ranks_->rank() != 0) {
+    const pbd::Received received{0, data, bytes};
+    return ranks_->exchange({}, {&received, 1});
+  }
+  std::vector<pbd::Sent> sent;
+  for (int r = 1; r < ranks_->count(); ++r) sent.push_back({r, data, bytes});
+  ranks_->exchange(sent, {});
+}
+
+template <class D>
+std::vector<uint32_t> DeviceEngine<D>::particles_by_rank() {
+  return together({RankCall::counts}, [&] { return pbd::values_of_all(*ranks_, particles_.sorted()); });
+}
+
+template <class D>
+std::vector<uint64_t> DeviceEngine<D>::write_particle_items(const std::string& file,
+                                                            std::span<const uint64_t> offsets) {
+  std::string path = file;
+  std::vector<uint64_t> places(offsets.begin(), offsets.end());
+  const auto [is_written, hashes] = together({RankCall::save, static_cast<int32_t>(path.size())}, [&] {
+    send_from_first(path.data(), path.size());
+    send_from_first(places.data(), places.size() * sizeof(uint64_t));
+    return write_own_items(path, places);
+  });
+  if (!is_written) throw Error(ErrorCode::io, "cannot write " + file + ": a rank could not write its part");
+  return hashes;
+}
+
+/// Whether all ranks could write, and the hashes of all parts.
+template <class D>
+std::pair<bool, std::vector<uint64_t>> DeviceEngine<D>::write_own_items(const std::string& file,
+                                                                        std::span<const uint64_t> offsets) {
+  const std::vector<uint32_t> counts = pbd::values_of_all(*ranks_, particles_.sorted());
+  uint64_t before = 0;
+  for (int r = 0; r < ranks_->rank(); ++r) before += counts[static_cast<size_t>(r)];
+  ParticleItemReader reader(device_, particles_.sorted());
+  visit_state(reader);
+  std::vector<pbd::FilePart> parts;
+  std::vector<uint64_t> own;
+  for (size_t k = 0; k < offsets.size(); ++k) {
+    const ParticleItem& item = reader.items().at(k);
+    parts.push_back({offsets[k] + before * item.element_bytes, item.data.data(), item.data.size()});
+    own.push_back(pbd::bytes_hash(item.data));
+  }
+  const bool is_written = ranks_->write_to_file(file.c_str(), parts);
+  const auto ranks = static_cast<size_t>(ranks_->count());
+  std::vector<uint64_t> by_rank(own.size() * ranks), hashes(by_rank.size());
+  ranks_->gather_everywhere(std::as_bytes(std::span(own)), std::as_writable_bytes(std::span(by_rank)));
+  for (size_t r = 0; r < ranks; ++r) {
+    for (size_t k = 0; k < own.size(); ++k) hashes[k * ranks + r] = by_rank[r * own.size() + k];
+  }
+  return {!pbd::is_on_any(*ranks_, !is_written), std::move(hashes)};
 }
 
 /// Runs work, in which all ranks take part. If it fails here, the others cannot go on.
@@ -107,15 +175,34 @@ template <class D>
 template <class Work>
 decltype(auto) DeviceEngine<D>::together(const RankCommand& command, const Work& work) {
   return guarded(ranks_, [&]() -> decltype(auto) {
-    if (ranks_) announce(command);
+    if (!ranks_) return work();
+    announce(command);
+    struct Finally {
+      DeviceEngine& engine;
+      ~Finally() { engine.release_readouts(); }
+    } const finally{*this};
     return work();
   });
 }
 
-/// Where kernels write the values of particles for a read-out: by slot, or in a shared world by place.
+/// Where kernels write the values of particles for a read-out: by slot, or in a shared world by place. There
+/// the room for them lasts as long as the read-out. So take the views of the read-outs after this.
 template <class D>
 pbd::View<const uint32_t> DeviceEngine<D>::readout_places() {
-  return ranks_ ? pbd::View<const uint32_t>(places_.view()) : particles_.slot.current.view();
+  if (!ranks_) return particles_.slot.current.view();
+  reserve_readouts(particles_.sorted());
+  std::vector<uint32_t> places(particles_.sorted());
+  std::iota(places.begin(), places.end(), 0u);
+  replace(places_, std::span<const uint32_t>(places));
+  return places_.view();
+}
+
+template <class D>
+void DeviceEngine<D>::release_readouts() {
+  for (pbd::Buffer<uint32_t>* buffer : {&places_, &index_out_}) buffer->resize_discard(0);
+  for (pbd::Buffer<float>* buffer : {&scalar_out_, &full_out_}) buffer->resize_discard(0);
+  vector_out_.resize_discard(0);
+  ellipsoid_out_.resize_discard(0);
 }
 
 /// The slots of this rank's particles by place; none in a world that is not shared.

@@ -110,16 +110,49 @@ EngineMeasure DeviceEngine<D>::measure_density(std::span<float> error, std::span
 }
 
 template <class D>
+OwnParticles DeviceEngine<D>::read_own_particles() {
+  using namespace engine_kernels;
+  return guarded(ranks_, [&] {
+    OwnParticles own;
+    const float scale =
+        last_substep_ > 0 ? 1 / (def_.kernel.particle_volume * last_substep_ * last_substep_) : 0;
+    fetch_contacts();
+    solver_.measure([&](pbd::Substep<D>& substep, const pbd::Found&) {
+      const uint32_t count = particles_.sorted();
+      own.slots = slots_by_place();
+      pbd::Substep<D> read = substep;
+      const pbd::View<const uint32_t> places = read.particles.slot = readout_places();
+      const auto vectors = [&](pbd::View<const pbd::Vec4> from) {
+        device_.parallel_for("read-out/vectors", count, ReadVector{from, places, vector_out_.view()});
+        return vector_out_.read(count);
+      };
+      own.positions = vectors(substep.particles.position);
+      own.velocities = vectors(substep.particles.velocity);
+      device_.parallel_for("read-out/fluids", count,
+                           ReadGroup{substep.particles.phase, places, index_out_.view()});
+      own.fluids = index_out_.read(count);
+      device_.parallel_for("read-out/pressures", count,
+                           ReadMultipliers{density_.multipliers(), places, scalar_out_.view(), scale});
+      own.pressures = scalar_out_.read(count);
+      density_.measure(read, scalar_out_.view(), full_out_.view());
+      own.density_errors = scalar_out_.read(count);
+    });
+    release_readouts();
+    return own;
+  });
+}
+
+template <class D>
 void DeviceEngine<D>::read_ellipsoids(std::span<Ellipsoid> out) {
   together({RankCall::ellipsoids}, [&] {
     fetch_contacts();
-    // A measurement of a shared world may give this rank other particles.
-    ellipsoid_out_.resize_discard(ranks_ ? fluid_capacity_ : particles_.sorted());
     const fluid::Anisotropy<D> anisotropy(
         device_, fluid::calibrate_anisotropy(def_.particle_spacing, def_.solver.support_radius));
     std::vector<uint32_t> slots;
     solver_.measure([&](pbd::Substep<D>& substep, const pbd::Found&) {
       slots = slots_by_place();
+      ellipsoid_out_.resize_discard(
+          particles_.sorted());  // a shared world may give this rank other particles
       ranks_ ? anisotropy.measure_sorted(substep, ellipsoid_out_.view())
              : anisotropy.measure(substep, ellipsoid_out_.view());
     });

@@ -12,7 +12,7 @@ namespace meniscus {
 /// of the last step that a user may ask for are state as well, unless the world has read them already.
 template <class D>
 void DeviceEngine<D>::visit_state(pbd::StateVisitor& v) {
-  if (!v.restores()) read_contacts();
+  if (!v.restores()) ranks_ ? fetched_contacts_.clear() : static_cast<void>(read_contacts());
   uint32_t fluid = fluid_capacity_, vertices = vertex_capacity_;
   v.value("fluid_capacity", fluid);
   v.value("vertex_capacity", vertices);

@@ -9,7 +9,8 @@
 namespace meniscus {
 
 enum class RankCall : uint32_t {
-  end,  ///< nothing more
+  end,    ///< nothing more
+  pause,  ///< nothing until they follow again
   step,
   positions,
   velocities,
@@ -18,12 +19,14 @@ enum class RankCall : uint32_t {
   density_errors,
   ellipsoids,
   hash,
-  diagnostics
+  diagnostics,
+  counts,
+  save
 };
 
 struct RankCommand {
   RankCall call;
-  int32_t iterations = 0;  ///< of a step
+  int32_t iterations = 0;  ///< of a step; of a file the length of its path
   float dt = 0;            ///< s, of a step or its substeps
 };
 

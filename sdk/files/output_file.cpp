@@ -57,6 +57,11 @@ void OutputFile::back_to_start() {
   if (!stream_.seekp(0)) throw_io_error("write", path_);
 }
 
+void OutputFile::skip(std::size_t bytes) {
+  errno = 0;
+  if (!stream_.seekp(static_cast<std::streamoff>(bytes), std::ios::cur)) throw_io_error("write", path_);
+}
+
 void OutputFile::commit() {
   errno = 0;
   stream_.close();

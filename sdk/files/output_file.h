@@ -34,6 +34,10 @@ class OutputFile {
 
   /// What is written next replaces the first bytes.
   void back_to_start();
+  /// Leaves bytes out, which others write into part().
+  void skip(std::size_t bytes);
+  /// The name under which the file is until commit().
+  const std::filesystem::path& part() const { return part_; }
 
   /// Throws Error(io) if not all bytes could be written; a file of that name is then unchanged.
   void commit();

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sdk/files/output_file.h"
+#include "sdk/io/plain_text.h"
 #include "sdk/io/point_sets.h"
 
 namespace meniscus::io {
@@ -117,6 +118,27 @@ void write_vtp(const std::filesystem::path& path, const ParticleFrame& frame) {
   piece += "</PointData>\n" + points(arrays, frame.positions);
   piece += "<Verts>\n" + cells(arrays, corners, ends) + "</Verts>\n</Piece>\n";
   write_polydata(path, frame.time, piece, arrays);
+}
+
+void write_pvtp(const std::filesystem::path& path, std::span<const std::string> pieces) {
+  OutputFile file(path);
+  file.write(
+      "<?xml version=\"1.0\"?>\n"
+      "<VTKFile type=\"PPolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
+      "header_type=\"UInt64\">\n<PPolyData GhostLevel=\"0\">\n"
+      "<PPointData Vectors=\"velocity\">\n"
+      "<PDataArray type=\"Float32\" Name=\"velocity\" NumberOfComponents=\"3\"/>\n"
+      "<PDataArray type=\"UInt32\" Name=\"fluid\"/>\n"
+      "<PDataArray type=\"UInt64\" Name=\"id\"/>\n"
+      "<PDataArray type=\"Float32\" Name=\"density_error\"/>\n"
+      "<PDataArray type=\"Float32\" Name=\"pressure\"/>\n"
+      "</PPointData>\n<PPoints>\n"
+      "<PDataArray type=\"Float32\" Name=\"Points\" NumberOfComponents=\"3\"/>\n"
+      "</PPoints>\n");
+  for (const std::string& piece : pieces)
+    file.write(fmt::format("<Piece Source=\"{}\"/>\n", xml_escaped(piece)));
+  file.write("</PPolyData>\n</VTKFile>\n");
+  file.commit();
 }
 
 void write_vtp(const std::filesystem::path& path, const DiffuseFrame& frame) {

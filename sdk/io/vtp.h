@@ -5,6 +5,8 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
+#include <string>
 
 #include "sdk/io/cloth_frame.h"
 #include "sdk/io/liquid_frame.h"
@@ -16,6 +18,10 @@ namespace meniscus::io {
 /// Points in VTK's PolyData XML with raw appended data, for ParaView. Each particle is a vertex cell. The
 /// arrays are velocity, fluid, id, density_error and pressure. Throws Error(io).
 void write_vtp(const std::filesystem::path& path, const ParticleFrame& frame);
+
+/// Lists files of the form above, which together are one set of particles. `pieces`: relative to the folder
+/// of PATH. Throws Error(io).
+void write_pvtp(const std::filesystem::path& path, std::span<const std::string> pieces);
 
 /// Points likewise, with the arrays velocity, life and kind: 0 spray, 1 foam, 2 bubble. Throws Error(io).
 void write_vtp(const std::filesystem::path& path, const DiffuseFrame& frame);

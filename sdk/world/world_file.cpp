@@ -7,11 +7,14 @@
 #include <meniscus/version.h>
 #include <meniscus/world.h>
 
+#include <optional>
+#include <string_view>
 #include <utility>
 
 #include "collision/mesh/hash.h"
 #include "pbd/host_memory.h"
 #include "pbd/math/hash.h"
+#include "sdk/engine/particle_items.h"
 #include "sdk/world/check/check.h"
 #include "sdk/world/state/chunk_file.h"
 #include "sdk/world/state/definitions.h"
@@ -134,11 +137,34 @@ pbd::SavedState World::Calls::chunks() const {
   return chunks;
 }
 
+namespace {
+
+/// Names of the engine's items, as the file has them.
+template <class Test>
+auto in_engine(const Test& test) {
+  return [test](const std::string& chunk) {
+    constexpr std::string_view engine = "engine/";
+    return chunk.starts_with(engine) && test(std::string_view(chunk).substr(engine.size()));
+  };
+}
+
+SharedChunks shared_chunks(Engine& engine) {
+  return {engine.particles_by_rank(), in_engine(is_particle_item), in_engine(is_particle_count),
+          [&engine](const std::string& file, std::span<const uint64_t> offsets) {
+            return engine.write_particle_items(file, offsets);
+          }};
+}
+
+}  // namespace
+
 void World::Calls::save(const std::string& path) const {
   const ChunkFileHeader header{MENISCUS_VERSION_STRING, impl_->device.kind, impl_->time,
                                definitions_text(*impl_)};
-  with_chunks(
-      [&](const VisitChunks& visit) { write_chunk_file(path, header, impl_->engine->device(), visit); });
+  std::optional<SharedChunks> shared;
+  if (impl_->shared_by) shared = shared_chunks(*impl_->engine);
+  with_chunks([&](const VisitChunks& visit) {
+    write_chunk_file(path, header, impl_->engine->device(), visit, shared ? &*shared : nullptr);
+  });
 }
 
 /// Makes all contents of an empty world, and gives them their state.

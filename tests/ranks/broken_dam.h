@@ -1,18 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// A world for tests of several ranks.
+// Worlds for tests of several ranks.
 #pragma once
 
+#include <cmath>
 #include <optional>
+#include <span>
 
 #include "tests/worlds.h"
 
 namespace meniscus::tests {
 
-/// A dam of this width (m) that breaks along the axis of the slabs, in two fluids, onto a ball and a box. On
-/// one thread, or on a GPU of that ordinal.
-inline World broken_dam(float width, std::optional<int> gpu = {}) {
+/// A dam of this width and length (m) that breaks along the axis of the slabs, in two fluids, onto a ball and
+/// a box. On one thread, or on a GPU of that ordinal. `pulls`: with surface tension.
+inline World broken_dam(float width, float length = 1.3f, bool pulls = true, std::optional<int> gpu = {}) {
   WorldDef def = world_def(gpu ? pbd::DeviceKind::cuda : pbd::DeviceKind::cpu, 0.05f);
   def.cuda_device = gpu;
   if (gpu)
@@ -23,16 +25,56 @@ inline World broken_dam(float width, std::optional<int> gpu = {}) {
   World world(def);
   FluidDef first, second;
   first.vorticity_confinement = 0.2f;
-  first.surface_tension = 0.05f;
-  first.cohesion = 0.02f;
+  if (pulls) {
+    first.surface_tension = 0.05f;
+    first.cohesion = 0.02f;
+  }
   second.rest_density = 500;
   const FluidId a = world.create_fluid(first), b = world.create_fluid(second);
-  world.create_shape(tank({0, 0, 0}, {width, 1, 2}));
-  world.create_shape(shape(SphereGeometry{0.15f}, {width / 2, 0.1f, 1.7f}));
-  world.create_shape(shape(BoxGeometry{{0.1f, 0.2f, 0.05f}}, {0.1f, 0.2f, 1.4f}));
-  world.add_fluid(block(a, {0, 0, 0}, {width, 0.5f, 1.3f}));
-  world.add_fluid(block(b, {0, 0.5f, 0}, {width, 0.8f, 1.3f}));
+  world.create_shape(tank({0, 0, 0}, {width, 1, length + 0.7f}));
+  world.create_shape(shape(SphereGeometry{0.15f}, {width / 2, 0.1f, length + 0.4f}));
+  world.create_shape(shape(BoxGeometry{{0.1f, 0.2f, 0.05f}}, {0.1f, 0.2f, length + 0.1f}));
+  world.add_fluid(block(a, {0, 0, 0}, {width, 0.5f, length}));
+  world.add_fluid(block(b, {0, 0.5f, 0}, {width, 0.8f, length}));
   return world;
+}
+
+/// Two drops that meet in free fall, far from all shapes, along the axis of the slabs. On one thread.
+inline World falling_drops() {
+  WorldDef def = world_def(pbd::DeviceKind::cpu, 0.05f);
+  def.threads = 1;
+  World world(def);
+  FluidDef water;
+  water.vorticity_confinement = 0.2f;
+  const FluidId fluid = world.create_fluid(water);
+  for (const float side : {-1.0f, 1.0f}) {
+    FluidVolumeDef drop;
+    drop.fluid = fluid;
+    drop.region = BallRegion{0.25f};
+    drop.pose.position = {0.1f * side, 0, 0.3f * side};
+    drop.velocity = {0, 0, -side};
+    world.add_fluid(drop);
+  }
+  return world;
+}
+
+struct Momentum {
+  double x = 0, y = 0, z = 0;  ///< kg m/s
+  double mass = 0;             ///< kg
+};
+
+inline Momentum momentum_of(const World& world) {
+  Momentum sum;
+  const std::span<const Vec3> velocities = world.velocities();
+  const std::span<const uint32_t> fluids = world.fluids();
+  for (size_t k = 0; k < velocities.size(); ++k) {
+    const double mass = world.particle_mass(world.fluid_ids()[fluids[k]]);
+    sum.x += mass * double{velocities[k].x};
+    sum.y += mass * double{velocities[k].y};
+    sum.z += mass * double{velocities[k].z};
+    sum.mass += mass;
+  }
+  return sum;
 }
 
 }  // namespace meniscus::tests

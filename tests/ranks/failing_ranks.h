@@ -11,9 +11,12 @@
 
 namespace meniscus::tests {
 
-/// Passes all calls on to others. Before call number `at` of this rank, from 1 on, it calls act().
+/// Passes all calls on to others. Before call number `at` of this rank, from 1 on, it calls act(); or before
+/// it writes to a file.
 class FailingRanks final : public pbd::Ranks {
  public:
+  static constexpr int in_file = -1;
+
   FailingRanks(pbd::Ranks& ranks, int at, std::function<void()> act)
       : ranks_(ranks), left_(at), act_(std::move(act)) {}
 
@@ -41,11 +44,15 @@ class FailingRanks final : public pbd::Ranks {
     note_call();
     ranks_.add_up(values);
   }
-  void fail(const std::string& why) override { ranks_.fail(why); }
+  bool write_to_file(const char* path, std::span<const pbd::FilePart> parts) override {
+    if (left_ < 0) act_();
+    return ranks_.write_to_file(path, parts);
+  }
+  void fail(const char* why) override { ranks_.fail(why); }
 
  private:
   void note_call() {
-    if (--left_ == 0) act_();
+    if (left_ > 0 && --left_ == 0) act_();
   }
 
   pbd::Ranks& ranks_;

@@ -1,11 +1,22 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// rank_program STEPS [--cuda] [--move-cuts] [--at RANK CALL throw|exhaust|kill]: steps a broken dam on the
-// ranks of mpirun, or alone, and prints its hash every ten steps. At that call of its transport, that rank
-// throws, has no more memory, or is killed. With --cuda each rank has a GPU.
+// rank_program STEPS [OPTION...]: steps a broken dam on the ranks of mpirun, or alone, and prints its hash
+// every ten steps. Options:
+//
+//   --cuda                 each rank has a GPU
+//   --size WIDTH LENGTH    of the dam, in m
+//   --plain                without surface tension
+//   --drop                 instead, two drops that meet in free fall; prints the relative error of momentum
+//   --move-cuts            by two layers with every step
+//   --memory               each rank prints the memory of its device for each particle
+//   --save FILE            saves the world after the steps
+//   --at RANK CALL FAULT   at that call of its transport, or before it writes to a file where CALL is
+//   `write`,
+//                          that rank fails by FAULT: throw, exhaust (no more memory), kill or stop
 #include <meniscus/error.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -23,47 +34,99 @@
 namespace meniscus::tests {
 namespace {
 
-struct Fault {
-  int rank = -1, call = 0;
-  std::string kind;
+constexpr float frame = 0.008f;  // s
+
+struct Options {
+  int steps = 0;
+  float width = 0.3f, length = 1.3f;  // m
+  bool pulls = true, drops = false, prints_memory = false, on_gpus = false;
+  pbd::CutPolicy policy;
+  std::string file;
+  struct {
+    int rank = -1, call = 0;
+    std::string kind;
+  } fault;
 };
 
-void step_through(World& world, int steps) {
-  for (int k = 0; k < steps; ++k) {
-    world.step(0.008f);
+World world_of(const Options& options) {
+  const std::optional<int> gpu = options.on_gpus ? std::optional(process_of_host()) : std::nullopt;
+  return options.drops ? falling_drops() : broken_dam(options.width, options.length, options.pulls, gpu);
+}
+
+/// |P − P₀ − M g t| over M |g| t.
+double momentum_error(const World& world, Momentum before) {
+  const Momentum now = momentum_of(world);
+  const double fall = now.mass * -9.81 * world.time();
+  const double x = now.x - before.x, y = now.y - before.y - fall, z = now.z - before.z;
+  return std::sqrt(x * x + y * y + z * z) / std::fabs(fall);
+}
+
+void step_through(World& world, const Options& options) {
+  const Momentum before = momentum_of(world);
+  for (int k = 0; k < options.steps; ++k) {
+    world.step(frame);
     if (k % 10 == 9) std::printf("%016llx\n", static_cast<unsigned long long>(world.state_hash()));
   }
   std::printf("particles %zu\n", world.positions().size());
+  if (options.drops) std::printf("momentum %.3g\n", momentum_error(world, before));
+  if (!options.file.empty()) world.save(options.file);
 }
 
-void share_and_step(int steps, bool on_gpus, const pbd::CutPolicy& policy, const Fault& fault) {
-  const std::unique_ptr<pbd::Ranks> ranks = join_mpi();
-  World world = broken_dam(0.3f, on_gpus ? std::optional(process_of_host()) : std::nullopt);
-  if (!ranks) return step_through(world, steps);
+void print_memory(const World& world, std::size_t particles) {
+  std::printf("memory %.1f bytes of each of %zu particles\n",
+              static_cast<double>(world.device_bytes()) / static_cast<double>(particles), particles);
+}
+
+void share_and_step(pbd::Ranks& ranks, const Options& options) {
+  World world = world_of(options);
   std::optional<FailingMemory> memory;
-  FailingRanks failing(*ranks, fault.rank == ranks->rank() ? fault.call : 0, [&] {
-    if (fault.kind == "kill") std::raise(SIGKILL);
-    if (fault.kind == "throw") throw Error(ErrorCode::device, "the test has cut the line");
+  const std::string& kind = options.fault.kind;
+  FailingRanks failing(ranks, options.fault.rank == ranks.rank() ? options.fault.call : 0, [&] {
+    if (kind == "kill") std::raise(SIGKILL);
+    if (kind == "stop") std::raise(SIGSTOP);
+    if (kind == "throw") throw Error(ErrorCode::device, "the test has cut the line");
     memory.emplace(FailureChoice{1, true});
   });
-  SharedWorld shared(world, failing, policy);
-  shared.leads() ? step_through(world, steps) : shared.follow();
+  SharedWorld shared(world, failing, options.policy);
+  shared.leads() ? step_through(world, options) : static_cast<void>(shared.follow());
+  if (options.prints_memory) print_memory(world, shared.own_particles());
+}
+
+void run_dam(const Options& options) {
+  const std::unique_ptr<pbd::Ranks> ranks = join_mpi();
+  if (ranks) return or_end_all(*ranks, [&] { share_and_step(*ranks, options); });
+  World world = world_of(options);
+  step_through(world, options);
+  if (options.prints_memory) print_memory(world, world.positions().size());
+}
+
+Options options_of(int argc, char** argv) {
+  Options options;
+  if (argc > 1) options.steps = std::atoi(argv[1]);
+  for (int k = 2; k < argc; ++k) {
+    const std::string word = argv[k];
+    const auto argument = [&](int n) { return std::string(k + n < argc ? argv[k + n] : ""); };
+    if (word == "--cuda") options.on_gpus = true;
+    if (word == "--plain") options.pulls = false;
+    if (word == "--drop") options.drops = true;
+    if (word == "--move-cuts") options.policy = {.every = 1, .most_imbalance = 0, .shift = 2};
+    if (word == "--memory") options.prints_memory = true;
+    if (word == "--save") options.file = argument(1);
+    if (word == "--size") options.width = std::strtof(argument(1).c_str(), nullptr);
+    if (word == "--size") options.length = std::strtof(argument(2).c_str(), nullptr);
+    if (word != "--at") continue;
+    const bool in_file = argument(2) == "write";
+    options.fault = {std::atoi(argument(1).c_str()),
+                     in_file ? FailingRanks::in_file : std::atoi(argument(2).c_str()), argument(3)};
+  }
+  return options;
 }
 
 }  // namespace
 }  // namespace meniscus::tests
 
 int main(int argc, char** argv) try {
-  meniscus::pbd::CutPolicy policy;
-  meniscus::tests::Fault fault;
-  bool on_gpus = false;
-  for (int k = 2; k < argc; ++k) {
-    const std::string word = argv[k];
-    if (word == "--cuda") on_gpus = true;
-    if (word == "--move-cuts") policy = {.every = 1, .most_imbalance = 0, .shift = 2};
-    if (word == "--at" && k + 3 < argc) fault = {std::atoi(argv[k + 1]), std::atoi(argv[k + 2]), argv[k + 3]};
-  }
-  meniscus::tests::share_and_step(argc > 1 ? std::atoi(argv[1]) : 0, on_gpus, policy, fault);
+  meniscus::tests::run_dam(meniscus::tests::options_of(argc, argv));
   return 0;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "error: %s\n", error.what());

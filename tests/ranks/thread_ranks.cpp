@@ -9,6 +9,7 @@
 #include <condition_variable>
 #include <cstring>
 #include <deque>
+#include <fstream>
 #include <map>
 #include <mutex>
 #include <utility>
@@ -71,8 +72,9 @@ class ThreadRank final : public Ranks {
       if (r.bytes == 0) continue;
       const std::vector<std::byte> message = office_->take(r.from, rank_);
       if (message.size() != r.bytes) {
-        fail("it got " + std::to_string(message.size()) + " bytes from rank " + std::to_string(r.from) +
-             ", and expected " + std::to_string(r.bytes));
+        const std::string why = "it got " + std::to_string(message.size()) + " bytes from rank " +
+                                std::to_string(r.from) + ", and expected " + std::to_string(r.bytes);
+        fail(why.c_str());
         office_->expect_no_failure();
       }
       std::memcpy(r.data, message.data(), r.bytes);
@@ -81,7 +83,8 @@ class ThreadRank final : public Ranks {
   void gather_everywhere(std::span<const std::byte> own, std::span<std::byte> all) override;
   void transpose(std::span<const uint32_t> out, std::span<uint32_t> in) override;
   void add_up(std::span<uint64_t> values) override;
-  void fail(const std::string& why) override { office_->fail(rank_, why); }
+  bool write_to_file(const char* path, std::span<const pbd::FilePart> parts) override;
+  void fail(const char* why) override { office_->fail(rank_, why); }
 
  private:
   std::shared_ptr<PostOffice> office_;
@@ -127,6 +130,17 @@ void ThreadRank::add_up(std::span<uint64_t> values) {
     values[k] = 0;
     for (size_t r = 0; r < static_cast<size_t>(count_); ++r) values[k] += all[r * values.size() + k];
   }
+}
+
+bool ThreadRank::write_to_file(const char* path, std::span<const pbd::FilePart> parts) {
+  std::fstream file(path, std::ios::binary | std::ios::in | std::ios::out);
+  for (const pbd::FilePart& part : parts) {
+    file.seekp(static_cast<std::streamoff>(part.offset));
+    file.write(static_cast<const char*>(part.data), static_cast<std::streamsize>(part.bytes));
+  }
+  file.close();
+  pbd::is_on_any(*this, false);  // all have written
+  return !file.fail();
 }
 
 }  // namespace

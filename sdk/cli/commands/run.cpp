@@ -19,6 +19,7 @@
 #include "sdk/cli/output/frame_exporter.h"
 #include "sdk/cli/output/frame_pictures.h"
 #include "sdk/cli/output/old_results.h"
+#include "sdk/cli/output/rank_frames.h"
 #include "sdk/cli/record/json_text.h"
 #include "sdk/cli/record/run_recorder.h"
 #include "sdk/cli/record/run_summary.h"
@@ -79,8 +80,8 @@ BuiltScene built_of(const RunOptions& options, const Scene& scene, bool is_share
     if (is_shared) SharedWorld::check(built.world);
     return built;
   }
-  if (is_shared) throw Error(ErrorCode::invalid_argument, "several ranks cannot continue from a snapshot");
   BuiltScene built = resume_scene(scene, options.from);
+  if (is_shared) SharedWorld::check(built.world);
   const int reached = frame_of(built.world, scene);
   if (reached < scene.frames) return built;
   throw Error(ErrorCode::invalid_argument, options.from + " is of frame " + std::to_string(reached) +
@@ -97,6 +98,7 @@ class Run {
         picture_(picture_scene(scene_, options.picture)),
         liquid_(options.surface || exports(options, "vdb")),
         has_texture_(!options.formats.empty() || options.picture.any()),
+        writes_pieces_(ranks && exports(options, "vtp")),
         folder_(folder_of(options, scene_)),
         built_(built_of(options, scene_, ranks != nullptr)),
         reached_(frame_of(built_.world, scene_)),
@@ -106,7 +108,8 @@ class Run {
         first_(sample(reached_, {})),
         pictures_(options.picture, folder_, picture_, scene_, built_.world, first_),
         lock_(made(folder_)),
-        exporter_(cleared(folder_, options, built_.world), options.formats, options.surface, scene_),
+        exporter_(cleared(folder_, options, built_.world), options.formats, options.surface, scene_,
+                  ranks ? ranks->count() : 0),
         recorder_(folder_, scene_) {
     warn_of_oddities(built_);
   }
@@ -168,6 +171,7 @@ class Run {
   /// The geometry of a frame; that of frame 0 is the state before the first step.
   void write(FrameSample& now) {
     if (liquid_) now.liquid = io::liquid_frame_of(built_.world, built_.fluids, scene_.fluids);
+    if (writes_pieces_) write_pieces(*shared_, *ranks_, folder_, now.frame, now.particles.time);
     exporter_.write(now);
   }
 
@@ -255,8 +259,9 @@ class Run {
   pbd::Ranks* ranks_;
   Scene scene_;
   io::PreviewScene picture_;
-  bool liquid_;       // whether surfaces of fluids are exported, as meshes or as volumes
-  bool has_texture_;  // whether samples have the texture of cloth
+  bool liquid_;         // whether surfaces of fluids are exported, as meshes or as volumes
+  bool has_texture_;    // whether samples have the texture of cloth
+  bool writes_pieces_;  // whether each rank writes its own particles
   std::filesystem::path folder_;
   BuiltScene built_;
   int reached_;  // the frame from which it starts; 0 without a snapshot
@@ -274,8 +279,10 @@ class Run {
 
 /// What a rank does that is not the first.
 int follow(const RunOptions& options, pbd::Ranks& ranks) {
-  BuiltScene built = built_of(options, scene_of(options), true);
-  SharedWorld(built.world, ranks).follow();
+  const Scene scene = scene_of(options);
+  BuiltScene built = built_of(options, scene, true);
+  SharedWorld shared(built.world, ranks);
+  follow_and_write(shared, ranks, folder_of(options, scene));
   return success;
 }
 
@@ -302,13 +309,9 @@ bool report_broken(const nlohmann::ordered_json& figures) {
   return any;
 }
 
-}  // namespace
-
-int run_scene(const RunOptions& options) {
-  if (options.quiet) spdlog::set_level(spdlog::level::err);
-  const std::unique_ptr<pbd::Ranks> ranks = join_mpi();
-  if (ranks && ranks->rank() > 0) return follow(options, *ranks);
-  Run run(options, ranks.get());
+/// What the first rank does, or the only one.
+int run_alone_or_first(const RunOptions& options, pbd::Ranks* ranks) {
+  Run run(options, ranks);
   run.step_through(options.quiet);
   if (!run.end().error.empty())
     spdlog::error("{}", run.end().error);  // first, as it may cause the failures below
@@ -324,6 +327,17 @@ int run_scene(const RunOptions& options) {
   if (!run.end().error.empty()) return run_failed;
   if (run.end().interrupted) return interrupted;
   return broken ? check_broken : success;
+}
+
+}  // namespace
+
+int run_scene(const RunOptions& options) {
+  if (options.quiet) spdlog::set_level(spdlog::level::err);
+  const std::unique_ptr<pbd::Ranks> ranks = join_mpi();
+  if (!ranks) return run_alone_or_first(options, nullptr);
+  return or_end_all(*ranks, [&] {
+    return ranks->rank() > 0 ? follow(options, *ranks) : run_alone_or_first(options, ranks.get());
+  });
 }
 
 }  // namespace meniscus::cli

@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "pbd/host_memory.h"
+#include "sdk/cli/output/rank_frames.h"
 #include "sdk/io/obj.h"
 #include "sdk/io/ply.h"
 #include "sdk/io/vdb.h"
@@ -24,9 +25,10 @@ bool has(const std::vector<std::string>& formats, const char* format) {
 }  // namespace
 
 FrameExporter::FrameExporter(std::filesystem::path folder, const std::vector<std::string>& formats,
-                             bool surface, const Scene& scene)
+                             bool surface, const Scene& scene, int ranks)
     : folder_(std::move(folder)),
       scene_(scene),
+      ranks_(ranks),
       ply_(has(formats, "ply")),
       vtp_(has(formats, "vtp")),
       obj_(has(formats, "obj")),
@@ -82,7 +84,8 @@ void FrameExporter::write_all(const io::SceneFrame& frame) {
   const int number = frame.number;
   if (!shapes_written_) write_shapes();
   shapes_written_ = true;
-  if (particles_) write_files("frame", number, frame.particles(), particle_collection_);
+  if (particles_ && ranks_ == 0) write_files("frame", number, frame.particles(), particle_collection_);
+  if (particles_ && ranks_ > 0) write_parted(frame);
   if (diffuse_) write_files("diffuse", number, frame.diffuse_frame(), diffuse_collection_);
   if (bodies_) write_files("bodies", number, bodies_->at(frame.time, frame.bodies), body_collection_);
   if (cloth_) write_files("cloth", number, frame.cloth, cloth_collection_);
@@ -93,6 +96,18 @@ void FrameExporter::write_all(const io::SceneFrame& frame) {
   if (vdb_)
     io::write_vdb(folder_ / fmt::format("frames/liquid_{:05}.vdb", number), frame.liquid, frame.particles(),
                   scene_.world.particle_spacing);
+}
+
+/// Particles of which each rank writes its own to vtp.
+void FrameExporter::write_parted(const io::SceneFrame& frame) {
+  const std::string name = fmt::format("frames/frame_{:05}", frame.number);
+  if (ply_) io::write_ply(folder_ / (name + ".ply"), frame.particles());
+  if (obj_) io::write_obj(folder_ / (name + ".obj"), frame.particles());
+  if (!vtp_) return;
+  std::vector<std::string> pieces;
+  for (int r = 0; r < ranks_; ++r) pieces.push_back(piece_name(frame.number, r));
+  io::write_pvtp(folder_ / (name + ".pvtp"), pieces);
+  particle_collection_->add(frame.time, name + ".pvtp");
 }
 
 void FrameExporter::write_shapes() const {

@@ -37,8 +37,9 @@ class FrameExporter {
  public:
   /// `formats`: "ply", "vtp", "obj", "usd", "abc" and "vdb"; empty writes nothing. Throws Error(io), and
   /// what BodySurfaces throws.
+  /// `ranks`: those of a shared world, 0 without. Each writes its particles with vtp (rank_frames.h).
   FrameExporter(std::filesystem::path folder, const std::vector<std::string>& formats, bool surface,
-                const Scene& scene);
+                const Scene& scene, int ranks = 0);
 
   /// Takes a frame to write; of the sample it takes the liquid away. Throws Error(io) and
   /// Error(out_of_memory), also for earlier frames.
@@ -51,6 +52,7 @@ class FrameExporter {
 
   void write_all(const io::SceneFrame& frame);
   void write_shapes() const;
+  void write_parted(const io::SceneFrame& frame);
   void write_usd(const io::SceneFrame& frame);
   void write_abc(const io::SceneFrame& frame);
   io::ExportContents contents() const {
@@ -63,6 +65,7 @@ class FrameExporter {
 
   std::filesystem::path folder_;
   Scene scene_;
+  int ranks_;
   bool ply_, vtp_, obj_, usd_, abc_, vdb_;
   bool any_;                                            // whether there is any format
   bool particles_, diffuse_, cloth_, ropes_, surface_;  // whether there are any

@@ -8,6 +8,7 @@
 
 #include <exception>
 #include <string>
+#include <utility>
 
 #include "sdk/world/world_boundary.h"
 
@@ -79,8 +80,29 @@ SharedWorld::~SharedWorld() {
   }
 }
 
-void SharedWorld::follow() {
-  world_.run([&](auto) { world_.engine->follow(); }, "follow");
+std::size_t SharedWorld::own_particles() const {
+  return world_.engine->own_particles();
+}
+
+void SharedWorld::pause() {
+  world_.engine->pause_following();
+}
+
+ParticlesOfRank SharedWorld::read_own_particles() {
+  OwnParticles own = world_.run([&](auto) { return world_.engine->read_own_particles(); }, "follow");
+  ParticlesOfRank particles{{},
+                            std::move(own.positions),
+                            std::move(own.velocities),
+                            std::move(own.fluids),
+                            std::move(own.density_errors),
+                            std::move(own.pressures)};
+  for (const uint32_t slot : own.slots) particles.ids.push_back(world_.ids[slot]);
+  for (Vec3& p : particles.positions) p += world_.def.origin;
+  return particles;
+}
+
+bool SharedWorld::follow() {
+  return world_.run([&](auto) { return world_.engine->follow(); }, "follow");
 }
 
 }  // namespace meniscus

@@ -6,10 +6,20 @@
 
 #include <meniscus/world.h>
 
+#include <vector>
+
 #include "pbd/rank_exchange.h"
 #include "pbd/ranks/ranks.h"
 
 namespace meniscus {
+
+/// The particles of one rank: read-outs of World, in an order of its own.
+struct ParticlesOfRank {
+  std::vector<ParticleId> ids;
+  std::vector<Vec3> positions, velocities;
+  std::vector<uint32_t> fluids;
+  std::vector<float> density_errors, pressures;
+};
 
 /// Shares a world. All ranks first build the same world by the same calls. Then each makes this object, which
 /// keeps the particles in the slab of its rank. Rank 0 leads: it calls steps and read-outs of its world,
@@ -32,8 +42,15 @@ class SharedWorld {
   SharedWorld& operator=(const SharedWorld&) = delete;
 
   bool leads() const { return ranks_.rank() == 0; }
-  /// On all ranks but 0: does what rank 0 asks for, until it destroys its SharedWorld.
-  void follow();
+  /// The number of particles that this rank has at present.
+  std::size_t own_particles() const;
+  /// On all ranks but 0: does what rank 0 asks for, until it destroys its SharedWorld or pauses. Returns
+  /// whether it pauses.
+  bool follow();
+  /// On rank 0: the others' follow() returns. They must follow again before rank 0 calls its world.
+  void pause();
+  /// On all ranks at the same time, while none follows.
+  ParticlesOfRank read_own_particles();
 
  private:
   World::Impl& world_;

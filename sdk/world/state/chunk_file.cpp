@@ -40,11 +40,26 @@ T whole_member(const std::string& path, const Json& chunk, const char* name) {
                    "\" of a chunk is no whole number in range");
 }
 
+/// Whether the bytes of a chunk are as they were written.
+bool is_intact(const std::string& path, const Json& chunk, const pbd::StateItem& item) {
+  if (!chunk.contains("parts"))
+    return XXH3_64bits(item.host.data(), item.host.size()) == whole_member<uint64_t>(path, chunk, "xxh3");
+  std::size_t at = 0;
+  for (const Json& part : chunk.at("parts")) {
+    const auto count = whole_member<std::size_t>(path, part, "count");
+    if (count > item.count || count * item.element_bytes > item.host.size() - at) return false;
+    const std::size_t bytes = count * item.element_bytes;
+    if (XXH3_64bits(item.host.data() + at, bytes) != whole_member<uint64_t>(path, part, "xxh3")) return false;
+    at += bytes;
+  }
+  return at == item.host.size();
+}
+
 /// Reads one chunk, which is in the file to its end.
 pbd::StateItem read_chunk(const std::string& path, const Json& chunk, std::istream& stream,
                           uint64_t& bytes_left) {
   const auto name = chunk.at("name").get<std::string>();
-  if (whole_member<uint32_t>(path, chunk, "version") > chunk_version)
+  if (whole_member<uint32_t>(path, chunk, "version") > parted_version)
     refuse(path, "its chunk \"" + name + "\" is of a later version");
   pbd::StateItem item{.form = chunk.at("form").get<std::string>(),
                       .element_bytes = whole_member<uint32_t>(path, chunk, "element_bytes"),
@@ -56,8 +71,7 @@ pbd::StateItem read_chunk(const std::string& path, const Json& chunk, std::istre
   item.host.resize(item.bytes());
   stream.read(reinterpret_cast<char*>(item.host.data()), static_cast<std::streamsize>(item.bytes()));
   if (!stream) io::throw_io_error("read", path);
-  if (XXH3_64bits(item.host.data(), item.host.size()) != whole_member<uint64_t>(path, chunk, "xxh3"))
-    refuse(path, "its chunk \"" + name + "\" is damaged");
+  if (!is_intact(path, chunk, item)) refuse(path, "its chunk \"" + name + "\" is damaged");
   return item;
 }
 

@@ -6,7 +6,9 @@
 
 #include <functional>
 #include <istream>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "pbd/state/saved_state.h"
 
@@ -20,6 +22,15 @@ struct ChunkFileHeader {
   std::string definitions;  ///< JSON
 };
 
+/// How the ranks of a shared world write their parts of the chunks with an element for each particle.
+struct SharedChunks {
+  std::vector<uint32_t> counts;  ///< particles, by rank
+  std::function<bool(const std::string&chunk)> is_shared, is_count;
+  /// Writes all parts of the chunks, which begin at these offsets of the file, those of rank 0 first. Returns
+  /// their hashes, by chunk and then by rank.
+  std::function<std::vector<uint64_t>(const std::string& file, std::span<const uint64_t> offsets)> write;
+};
+
 /// The format (docs/snapshots.md), of which there is one so far:
 ///
 ///   8 bytes   "MENISNAP"
@@ -27,14 +38,15 @@ struct ChunkFileHeader {
 ///   u32       length of the header, bytes
 ///   u64       xxh3 of the header
 ///   header    JSON: program, device, time, definitions, and the chunks: name, form, element bytes, count,
-///             version, whether it is required, and xxh3
+///             version, whether it is required, and xxh3; or of version 2 its parts, each with count and xxh3
 ///   chunks    one after the other
 ///
 /// Integers are little-endian. Spaces may follow the JSON. `visit` visits all chunks: once for their names
 /// and sizes, and once for their contents, which go to the file piece by piece. Throws Error(io); PATH is
-/// then as before.
+/// then as before. `shared`: of a shared world.
 void write_chunk_file(const std::string& path, const ChunkFileHeader& header, pbd::Device& device,
-                      const std::function<void(pbd::StateVisitor&)>& visit);
+                      const std::function<void(pbd::StateVisitor&)>& visit,
+                      const SharedChunks* shared = nullptr);
 
 /// All chunks, on the host. Throws Error(io) that names what is wrong, if a byte is not as it was written.
 pbd::SavedState read_chunk_file(const std::string& path, ChunkFileHeader& header);

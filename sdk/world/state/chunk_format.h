@@ -21,7 +21,8 @@ using Json = nlohmann::ordered_json;
 
 inline constexpr char magic[8] = {'M', 'E', 'N', 'I', 'S', 'N', 'A', 'P'};
 inline constexpr uint32_t format_version = 1;
-inline constexpr uint32_t chunk_version = 1;
+/// Of a chunk in one part, and of one in several.
+inline constexpr uint32_t chunk_version = 1, parted_version = 2;
 static_assert(std::endian::native == std::endian::little);
 
 struct Prefix {

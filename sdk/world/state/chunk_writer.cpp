@@ -21,40 +21,62 @@ using namespace chunk_format;
 
 namespace {
 
+/// A part of a chunk, which a rank has written.
+struct Part {
+  std::size_t count;
+  uint64_t hash;
+};
+
 /// A chunk as the header has it.
 struct Chunk {
   std::string name, form;
   uint32_t element_bytes;
   std::size_t count;
   uint64_t hash;
+  std::vector<Part> parts{};  ///< none: it is written in one piece
+
+  std::size_t bytes() const { return count * element_bytes; }
 };
+
+/// The longest number, so that the header becomes no longer.
+constexpr uint64_t any_hash = std::numeric_limits<uint64_t>::max();
 
 /// Lists all chunks.
 class ChunkList final : public pbd::StateVisitor {
  public:
+  explicit ChunkList(const SharedChunks* shared) : shared_(shared) {}
   bool restores() const override { return false; }
 
   std::vector<Chunk> chunks;
 
  private:
   void visit_host(const std::string& path, const pbd::ElementForm& form, void*, std::size_t count) override {
-    // The longest number, so that the header becomes no longer.
-    chunks.push_back({path, form.word, form.bytes, count, std::numeric_limits<uint64_t>::max()});
+    chunks.push_back({path, form.word, form.bytes, count, any_hash});
   }
   void visit_device(const std::string& path, const pbd::ElementForm& form, void* data, std::size_t,
                     std::size_t count) override {
     visit_host(path, form, data, count);
+    if (!shared_ || !shared_->is_shared(path)) return;
+    Chunk& chunk = chunks.back();
+    chunk.count = 0;
+    for (const uint32_t of_rank : shared_->counts) {
+      chunk.parts.push_back({of_rank, any_hash});
+      chunk.count += of_rank;
+    }
   }
   std::size_t count_of(const std::string&) override { return 0; }
   bool has(const std::string&) const override { return false; }
+
+  const SharedChunks* shared_;
 };
 
 /// Writes the contents of chunks that are listed, and notes their hashes. A piece is hashed and written while
 /// it is in the processor's cache.
 class ChunkWriter final : public pbd::StateVisitor {
  public:
-  ChunkWriter(pbd::Device& device, io::OutputFile& file, std::vector<Chunk>& chunks)
-      : device_(device), file_(file), chunks_(chunks), piece_(piece_bytes) {}
+  ChunkWriter(pbd::Device& device, io::OutputFile& file, std::vector<Chunk>& chunks,
+              const SharedChunks* shared)
+      : device_(device), file_(file), chunks_(chunks), shared_(shared), piece_(piece_bytes) {}
   bool restores() const override { return false; }
 
  private:
@@ -62,11 +84,17 @@ class ChunkWriter final : public pbd::StateVisitor {
 
   void visit_host(const std::string& path, const pbd::ElementForm& form, void* data,
                   std::size_t count) override {
+    uint32_t in_world = 0;
+    if (shared_ && shared_->is_count(path)) {
+      for (const uint32_t of_rank : shared_->counts) in_world += of_rank;
+      data = &in_world;
+    }
     write(path, form.bytes * count,
           [&](std::size_t at, std::size_t) { return static_cast<const std::byte*>(data) + at; });
   }
   void visit_device(const std::string& path, const pbd::ElementForm& form, void* data, std::size_t,
                     std::size_t count) override {
+    if (shared_ && shared_->is_shared(path)) return file_.skip(chunks_[next_++].bytes());
     if (device_.kind() == pbd::DeviceKind::cpu) return visit_host(path, form, data, count);
     write(path, form.bytes * count, [&](std::size_t at, std::size_t bytes) {
       device_.copy_out(piece_.data(), static_cast<const std::byte*>(data) + at, bytes);
@@ -95,6 +123,7 @@ class ChunkWriter final : public pbd::StateVisitor {
   pbd::Device& device_;
   io::OutputFile& file_;
   std::vector<Chunk>& chunks_;
+  const SharedChunks* shared_;
   std::vector<std::byte> piece_;
   std::size_t next_ = 0;
 };
@@ -106,13 +135,17 @@ std::string header_text(const ChunkFileHeader& header, const std::vector<Chunk>&
             {"definitions", header.definitions},
             {"chunks", Json::array()}};
   for (const Chunk& chunk : chunks) {
-    json["chunks"].push_back({{"name", chunk.name},
-                              {"form", chunk.form},
-                              {"element_bytes", chunk.element_bytes},
-                              {"count", chunk.count},
-                              {"version", chunk_version},
-                              {"required", true},
-                              {"xxh3", chunk.hash}});
+    const bool is_parted = !chunk.parts.empty();
+    Json entry{{"name", chunk.name},
+               {"form", chunk.form},
+               {"element_bytes", chunk.element_bytes},
+               {"count", chunk.count},
+               {"version", is_parted ? parted_version : chunk_version},
+               {"required", true}};
+    if (!is_parted) entry["xxh3"] = chunk.hash;
+    for (const Part& part : chunk.parts)
+      entry["parts"].push_back({{"count", part.count}, {"xxh3", part.hash}});
+    json["chunks"].push_back(std::move(entry));
   }
   return json.dump();
 }
@@ -124,17 +157,32 @@ void write_header(io::OutputFile& file, const std::string& text) {
   file.write(text);
 }
 
+/// Lets all ranks write their parts, and notes the hashes. The first chunk begins at `start`.
+void write_parts(const SharedChunks& shared, const io::OutputFile& file, uint64_t start,
+                 std::vector<Chunk>& chunks) {
+  std::vector<uint64_t> offsets;
+  std::vector<Part*> parts;
+  for (Chunk& chunk : chunks) {
+    if (!chunk.parts.empty()) offsets.push_back(start);
+    for (Part& part : chunk.parts) parts.push_back(&part);
+    start += chunk.bytes();
+  }
+  const std::vector<uint64_t> hashes = shared.write(file.part().string(), offsets);
+  for (std::size_t k = 0; k < parts.size(); ++k) parts[k]->hash = hashes.at(k);
+}
+
 }  // namespace
 
 void write_chunk_file(const std::string& path, const ChunkFileHeader& header, pbd::Device& device,
-                      const std::function<void(pbd::StateVisitor&)>& visit) {
-  ChunkList list;
+                      const std::function<void(pbd::StateVisitor&)>& visit, const SharedChunks* shared) {
+  ChunkList list(shared);
   visit(list);
   const std::size_t room = header_text(header, list.chunks).size();
   header_length(room);  // before anything is written
   io::OutputFile file(path);
+  if (shared) write_parts(*shared, file, sizeof(Prefix) + room, list.chunks);
   write_header(file, std::string(room, ' '));
-  ChunkWriter writer(device, file, list.chunks);
+  ChunkWriter writer(device, file, list.chunks, shared);
   visit(writer);
   std::string text = header_text(header, list.chunks);
   text.resize(room, ' ');

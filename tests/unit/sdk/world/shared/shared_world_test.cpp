@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <thread>
 #include <tuple>
 
@@ -31,7 +32,7 @@ std::vector<std::string> share(int count, const pbd::CutPolicy& policy, const st
     try {
       World world = make();
       SharedWorld shared(world, *ranks[static_cast<size_t>(r)], policy);
-      shared.leads() ? lead(world) : shared.follow();
+      shared.leads() ? lead(world) : static_cast<void>(shared.follow());
     } catch (const std::exception& error) {
       errors[static_cast<size_t>(r)] = error.what();
     }
@@ -145,6 +146,98 @@ TEST(SharedWorld, RefusesByNameWhatItCannotHave) {
     world.create_fluid(oil);
   });
   refuses("no hooks", [](World& world) { world.add_hook(Hook::solved, [](const SubstepView&) {}); });
+  refuses("no granular materials", [](World& world) { world.create_granular({}); });
+  refuses("no probes", [](World& world) { world.create_probe({}); });
+  refuses("no ropes", [](World& world) {
+    RopeDef rope;
+    rope.points = {{0, 2, 0}, {0, 2.2f, 0}};
+    world.create_rope(rope);
+  });
+  refuses("no sinks", [](World& world) {
+    SinkDef sink;
+    sink.region = BallRegion{0.1f};
+    sink.pose.position = {0, 5, 0};
+    world.create_sink(sink);
+  });
+  refuses("no force fields", [](World& world) {
+    ForceFieldDef pull;
+    pull.force = RadialForce{};
+    world.create_force_field(pull);
+  });
+}
+
+TEST(SharedWorld, RefusesByNameHowItCannotSolve) {
+  const auto refuses = [](const std::string& named, const std::function<void(WorldDef&)>& change) {
+    WorldDef def = world_def(pbd::DeviceKind::cpu, 0.05f);
+    change(def);
+    World world(def);
+    const auto ranks = make_thread_ranks(1);
+    expect_error(ErrorCode::invalid_argument, named, [&] { SharedWorld(world, *ranks[0]); });
+  };
+  refuses("no periodic axes", [](WorldDef& def) { def.periodic.x = PeriodicExtent{0, 2}; });
+  refuses("no diffuse particles", [](WorldDef& def) { def.diffuse.emplace(); });
+  refuses("no DensitySolverDef::tolerance", [](WorldDef& def) { def.density.tolerance = 0.01f; });
+  refuses("no pressure grid", [](WorldDef& def) { def.density.solver = DensitySolver::grid; });
+}
+
+TEST(SharedWorld, GoesOnFromAFileAloneAndOnOtherRanks) {
+  const std::string file = testing::TempDir() + "/shared.menisnap";
+  uint64_t expected = 0;
+  auto errors = share(
+      3, {.every = 1, .most_imbalance = 0, .shift = 2}, [] { return broken_dam(narrow); },
+      [&](World& world) {
+        tests::run(world, 5, frame);
+        world.save(file);
+        tests::run(world, 5, frame);
+        expected = world.state_hash();
+      });
+  for (const std::string& error : errors) EXPECT_EQ(error, "");
+  World alone = World::load(file);
+  tests::run(alone, 5, frame);
+  EXPECT_EQ(alone.state_hash(), expected);
+  errors = share(
+      2, {}, [&] { return World::load(file); },
+      [&](World& world) {
+        tests::run(world, 5, frame);
+        EXPECT_EQ(world.state_hash(), expected);
+      });
+  for (const std::string& error : errors) EXPECT_EQ(error, "");
+}
+
+TEST(SharedWorld, EachRankReadsItsOwnParticles) {
+  constexpr int count = 3;
+  const auto ranks = make_thread_ranks(count);
+  std::vector<ParticlesOfRank> own(count);
+  std::map<ParticleId, std::tuple<Vec3, Vec3, float, float>> expected;
+  const auto run = [&](int r) {
+    World world = broken_dam(narrow);
+    SharedWorld shared(world, *ranks[static_cast<size_t>(r)]);
+    if (shared.leads()) {
+      tests::run(world, 3, frame);
+      for (size_t k = 0; k < world.ids().size(); ++k)
+        expected[world.ids()[k]] = {world.positions()[k], world.velocities()[k], world.density_errors()[k],
+                                    world.pressures()[k]};
+      shared.pause();
+    } else {
+      EXPECT_TRUE(shared.follow());
+    }
+    own[static_cast<size_t>(r)] = shared.read_own_particles();
+    if (!shared.leads()) EXPECT_FALSE(shared.follow());
+  };
+  {
+    std::jthread first(run, 1), second(run, 2);
+    run(0);
+  }
+  size_t found = 0;
+  for (const ParticlesOfRank& p : own) {
+    EXPECT_GT(p.ids.size(), 0u);
+    found += p.ids.size();
+    for (size_t k = 0; k < p.ids.size(); ++k) {
+      const std::tuple mine{p.positions[k], p.velocities[k], p.density_errors[k], p.pressures[k]};
+      EXPECT_TRUE(expected.at(p.ids[k]) == mine) << p.ids[k];
+    }
+  }
+  EXPECT_EQ(found, expected.size());
 }
 
 TEST(SharedWorld, RefusesOtherCallsByName) {
@@ -178,7 +271,7 @@ TEST(SharedWorld, AFailureOfOneRankEndsAll) {
       try {
         World world = broken_dam(narrow);
         SharedWorld shared(world, failing);
-        shared.leads() ? tests::run(world, 5, frame) : shared.follow();
+        shared.leads() ? tests::run(world, 5, frame) : static_cast<void>(shared.follow());
       } catch (const std::exception& error) {
         errors[static_cast<size_t>(r)] = error.what();
       }
