@@ -11,6 +11,7 @@
 #include "collision/film/film_surface.h"
 #include "collision/film/tuning.h"
 #include "pbd/grid.h"
+#include "pbd/math/tangents.h"
 #include "pbd/particles.h"
 
 namespace meniscus::collision::film_kernels {

@@ -11,6 +11,19 @@ namespace meniscus::bench {
 
 namespace {
 
+/// Boxes that float in the water.
+void add_bodies(World& world, float side, int count) {
+  for (int k = 0; k < count; ++k) {
+    BodyDef body;
+    body.geometry = BoxGeometry{{0.1f * side, 0.1f * side, 0.1f * side}};
+    body.density = 500;
+    body.pose.position = {side * (0.2f + 0.3f * static_cast<float>(k % 3)),
+                          side * (1.2f + 0.3f * static_cast<float>(k / 9)),
+                          side * (0.2f + 0.3f * static_cast<float>(k / 3 % 3))};
+    world.create_body(body);
+  }
+}
+
 /// A box with a column of water in its left half.
 World small_dam(const CommonOptions& common, const BatchOptions& o) {
   WorldDef def = world_def(common);
@@ -27,6 +40,7 @@ World small_dam(const CommonOptions& common, const BatchOptions& o) {
   column.fluid = world.create_fluid({});
   column.region = BoxRegion{{0, 0, 0}, {side, side, side}};
   world.add_fluid(column);
+  add_bodies(world, side, o.bodies);
   return world;
 }
 
@@ -42,7 +56,7 @@ std::vector<uint8_t> some_worlds(uint32_t worlds, double share, int step) {
 Json run_case(const CommonOptions& common, const BatchOptions& o, int worlds) {
   using Clock = std::chrono::steady_clock;
   const auto count = static_cast<uint32_t>(worlds);
-  WorldBatch batch(small_dam(common, o), {count});
+  WorldBatch batch(small_dam(common, o), {count, o.rigid_threads});
   std::vector<Vec3> gravities(count);
   for (uint32_t w = 0; w < count; ++w) gravities[w] = {0.01f * static_cast<float>(w % 100), -9.81f, 0};
   batch.set_gravities(gravities);
@@ -62,6 +76,7 @@ Json run_case(const CommonOptions& common, const BatchOptions& o, int worlds) {
   const MemoryUse memory = batch.memory_stats().device;
   return {{"worlds", worlds},
           {"particles_each", batch.particle_count()},
+          {"bodies_each", batch.body_count()},
           {"substeps", o.substeps},
           {"iterations", o.iterations},
           {"reset", o.reset},
@@ -84,6 +99,9 @@ CLI::App* add_batch(CLI::App& app, BatchOptions& o) {
       ->delimiter(',')
       ->check(CLI::Range(1, 65536));
   batch->add_option("--particles", o.particles, "of each world, about")->check(CLI::Range(8, 1000000));
+  batch->add_option("--bodies", o.bodies, "of each world")->check(CLI::Range(0, 1000));
+  batch->add_option("--rigid-threads", o.rigid_threads, "that step bodies; 0: one a core")
+      ->check(CLI::Range(0, 1024));
   batch->add_option("--substeps", o.substeps, "a step");
   batch->add_option("--iterations", o.iterations, "a substep");
   batch->add_option("--steps", o.steps, "that are timed, after as many")->check(CLI::Range(1, 100000));

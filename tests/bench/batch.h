@@ -13,6 +13,8 @@ namespace meniscus::bench {
 struct BatchOptions {
   std::vector<int> worlds{1024};
   int particles = 1000;  // of each world, about
+  int bodies = 0;        // of each world
+  int rigid_threads = 0;
   int substeps = 4;
   int iterations = 4;
   int steps = 60;    // that are timed

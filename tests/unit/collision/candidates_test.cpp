@@ -22,7 +22,11 @@ struct Scene {
   std::vector<Shape> shapes;
   std::vector<Vec4> from, to;
 
-  ShapeSet set() { return {{shapes.data(), static_cast<uint32_t>(shapes.size())}, 0, {}, {}, {}}; }
+  uint32_t fixed = 0, worlds = 1;
+
+  ShapeSet set() {
+    return {{shapes.data(), static_cast<uint32_t>(shapes.size())}, fixed, {}, {}, {}, worlds};
+  }
 
   void add_box(Vec3 centre, float half) {
     Shape shape;
@@ -39,7 +43,7 @@ struct Scene {
   std::vector<std::vector<uint32_t>> find(float reach) {
     const auto count = static_cast<uint32_t>(from.size());
     Candidates candidates(device);
-    candidates.reserve(count, static_cast<uint32_t>(shapes.size()));
+    candidates.reserve(count, set().of_world());
     candidates.find(device, set(), {from.data(), count}, {to.data(), count}, count, reach);
     std::vector<std::vector<uint32_t>> found(count);
     for (uint32_t i = 0; i < count; ++i)
@@ -90,6 +94,32 @@ TEST(Candidates, ParticlesOfOneClusterShareAList) {
   }
   const auto found = scene.find(0.1f);
   for (size_t i = 0; i < found.size(); ++i) EXPECT_EQ(found[i].size(), i < cluster_size ? 1u : 0u) << i;
+}
+
+// Worlds of fewer particles than a cluster has, and of more. Shapes of other worlds are at the same places.
+TEST(Candidates, AreOfTheParticlesOwnWorld) {
+  Noise noise(11);
+  for (uint32_t each : {5u, 33u, 100u}) {
+    Scene scene;
+    scene.fixed = 2;
+    scene.worlds = 7;
+    constexpr uint32_t moving = 40;
+    for (uint32_t k = 0; k < scene.fixed + scene.worlds * moving; ++k) scene.add_box(noise.in_cube(2), 0.3f);
+    for (uint32_t n = 0; n < scene.worlds * each; ++n) {
+      const Vec3 a = noise.in_cube(2);
+      scene.add_motion(a, a);
+    }
+    const auto found = scene.find(0.1f);
+    for (uint32_t i = 0; i < found.size(); ++i) {
+      const uint32_t first = scene.fixed + i / each * moving;
+      for (uint32_t k : found[i]) EXPECT_TRUE(k < scene.fixed || (k >= first && k < first + moving)) << i;
+      for (uint32_t k = 0; k < scene.shapes.size(); ++k) {
+        if (k >= scene.fixed && (k < first || k >= first + moving)) continue;
+        const bool near = !out_of_reach(scene.shapes[k], scene.from[i].xyz(), scene.to[i].xyz(), 0.1f);
+        EXPECT_TRUE(!near || std::count(found[i].begin(), found[i].end(), k)) << i << ' ' << k;
+      }
+    }
+  }
 }
 
 TEST(Candidates, TheWayCountsAndNotItsEndsAlone) {

@@ -98,7 +98,7 @@ struct Foot {
                                           view(has_film),
                                           view(particles),
                                           lengths,
-                                          gravity,
+                                          {gravity},
                                           dt,
                                           {view(pressure), view(wet_part), view(residual), view(direction),
                                            view(applied), view(diagonal)},
@@ -222,7 +222,7 @@ TEST(FilmLoads, AreOppositeOnBothFaces) {
                      Foot::view(foot.pressure),
                      Foot::view(foot.balance),
                      {},
-                     LevelAxes(foot.gravity),
+                     {LevelAxes(foot.gravity)},
                      Foot::dt,
                      Foot::view(sums),
                      {}};

@@ -211,6 +211,17 @@ TEST_P(BatchBodiesTest, APausedWorldStays) {
   EXPECT_EQ(made.state_hashes()[2], alone(2, 30));
 }
 
+TEST_P(BatchBodiesTest, AWarmStepAllocatesNothing) {
+  WorldBatch made = batch(3);
+  run_batch(made, 60);
+  made.reset(mask_of(3, {1}));
+  run_batch(made, 5);
+  const size_t before = made.memory_stats().device.allocations;
+  made.reset(mask_of(3, {1}));
+  run_batch(made, 5);
+  EXPECT_EQ(made.memory_stats().device.allocations, before);
+}
+
 TEST_P(BatchBodiesTest, ThreadsDoNotChangeBits) {
   uint64_t hashes[2];
   for (int k = 0; k < 2; ++k) {
