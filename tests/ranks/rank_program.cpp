@@ -10,8 +10,8 @@
 //   --move-cuts            by two layers with every step
 //   --memory               each rank prints the memory of its device for each particle
 //   --save FILE            saves the world after the steps
-//   --at RANK CALL FAULT   at that call of its transport, or before it writes to a file where CALL is `write`,
-//                          that rank fails by FAULT: throw, exhaust (no more memory), kill or stop
+//   --at RANK CALL FAULT   at that call of its transport, or before it writes a file (CALL is `write`), that
+//                          rank fails by FAULT: throw, exhaust (no more memory), kill or stop
 #include <meniscus/error.h>
 
 #include <algorithm>
