@@ -213,8 +213,8 @@ class Engine {
   /// Keeps this rank's particles. All ranks have made the same calls so far. From now on only steps and
   /// read-outs of particles may be called: by rank 0, while the others follow.
   virtual void share(pbd::Ranks& ranks, const pbd::CutPolicy& policy) = 0;
-  /// Does what rank 0 asks for, until it calls end_following().
-  virtual bool follow() = 0;  ///< whether rank 0 only paused it
+  /// Does what rank 0 asks for, until it ends or pauses that. Returns whether it only pauses.
+  virtual bool follow() = 0;
   virtual void pause_following() = 0;
   virtual void end_following() = 0;
 };

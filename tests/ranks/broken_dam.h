@@ -39,20 +39,21 @@ inline World broken_dam(float width, float length = 1.3f, bool pulls = true, std
   return world;
 }
 
-/// Two drops that meet in free fall, far from all shapes, along the axis of the slabs. On one thread.
-inline World falling_drops() {
+constexpr float drop_speed = 1;  // m/s
+
+/// Two drops that meet along the axis of the slabs, without gravity and shapes. On one thread.
+inline World free_drops() {
   WorldDef def = world_def(pbd::DeviceKind::cpu, 0.05f);
   def.threads = 1;
+  def.gravity = {0, 0, 0};
   World world(def);
-  FluidDef water;
-  water.vorticity_confinement = 0.2f;
-  const FluidId fluid = world.create_fluid(water);
+  const FluidId fluid = world.create_fluid({});  // confinement of vorticity would not keep momentum
   for (const float side : {-1.0f, 1.0f}) {
     FluidVolumeDef drop;
     drop.fluid = fluid;
     drop.region = BallRegion{0.25f};
     drop.pose.position = {0.1f * side, 0, 0.3f * side};
-    drop.velocity = {0, 0, -side};
+    drop.velocity = {0, 0, -side * drop_speed};
     world.add_fluid(drop);
   }
   return world;

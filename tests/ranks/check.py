@@ -9,7 +9,7 @@ faults RANKS            a rank that throws, has no memory or is killed ends all:
 hang RANKS [LIMIT]      so does a rank that stops, within 30 s, or here soon after a limit in s
 memory BYTES WIDTH LENGTH RANKS...   no rank needs more bytes for each of its particles, in a dam of that size
 particles STEPS RANKS   each particle is still there, and once
-momentum RANKS          drops in free fall keep it
+momentum RANKS          free drops that meet keep it
 scene FILE RANKS        meniscus run has the same hash alone and on so many ranks
 restart FILE            so it has if it goes on from snapshots, on other numbers of ranks; a damaged one is refused"""
 
@@ -26,7 +26,7 @@ import time
 ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
                    OMPI_MCA_btl_vader_single_copy_mechanism="none", OMPI_MCA_mpi_yield_when_idle="1")
 MOST_SECONDS = 30  # from a fault to the end of all processes
-MOST_MOMENTUM = 1e-6  # of what the drops have gained by falling
+MOST_MOMENTUM = 1e-6  # of what both drops would have in one direction
 
 
 def command(mpirun, ranks, words):

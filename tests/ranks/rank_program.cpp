@@ -7,13 +7,13 @@
 //   --cuda                 each rank has a GPU
 //   --size WIDTH LENGTH    of the dam, in m
 //   --plain                without surface tension
-//   --drop                 instead, two drops that meet in free fall; prints the relative error of momentum
+//   --drop                 instead, two drops that meet without gravity; prints the relative error of
+//   momentum
 //   --move-cuts            by two layers with every step
 //   --memory               each rank prints the memory of its device for each particle
 //   --save FILE            saves the world after the steps
-//   --at RANK CALL FAULT   at that call of its transport, or before it writes to a file where CALL is
-//   `write`,
-//                          that rank fails by FAULT: throw, exhaust (no more memory), kill or stop
+//   --at RANK CALL FAULT   at that call of its transport, or before it writes a file (CALL is `write`), that
+//                          rank fails by FAULT: throw, exhaust (no more memory), kill or stop
 #include <meniscus/error.h>
 
 #include <algorithm>
@@ -50,15 +50,14 @@ struct Options {
 
 World world_of(const Options& options) {
   const std::optional<int> gpu = options.on_gpus ? std::optional(process_of_host()) : std::nullopt;
-  return options.drops ? falling_drops() : broken_dam(options.width, options.length, options.pulls, gpu);
+  return options.drops ? free_drops() : broken_dam(options.width, options.length, options.pulls, gpu);
 }
 
-/// |P − P₀ − M g t| over M |g| t.
+/// |P − P₀| over what one drop of both masses had.
 double momentum_error(const World& world, Momentum before) {
   const Momentum now = momentum_of(world);
-  const double fall = now.mass * -9.81 * world.time();
-  const double x = now.x - before.x, y = now.y - before.y - fall, z = now.z - before.z;
-  return std::sqrt(x * x + y * y + z * z) / std::fabs(fall);
+  const double x = now.x - before.x, y = now.y - before.y, z = now.z - before.z;
+  return std::sqrt(x * x + y * y + z * z) / (now.mass * double{drop_speed});
 }
 
 void step_through(World& world, const Options& options) {
