@@ -70,7 +70,8 @@ TEST_P(LoadedBodies, ALightRaftFloatsAsDeepAsWhatItCarries) {
   const float alone = Raft(GetParam(), 0).height(steps);
   Raft carried(GetParam(), 300);
   EXPECT_NEAR(carried.height(steps), alone, 0.03f * 0.2f);
-  const BodyState raft = carried.world.body_state(carried.raft), load = carried.world.body_state(carried.load);
+  const BodyState raft = carried.world.body_state(carried.raft),
+                  load = carried.world.body_state(carried.load);
   EXPECT_NEAR(load.pose.position.y - raft.pose.position.y, 0.13f, 0.002f);
   EXPECT_LT(length(raft.velocity), 0.05f);
   const Diagnostics d = carried.world.diagnostics();
