@@ -25,6 +25,7 @@ void RigidWorld::Impl::wake_near(btRigidBody& changed) {
     const btBroadphaseProxy* other = pair.m_pProxy0 == proxy ? pair.m_pProxy1 : pair.m_pProxy0;
     static_cast<btCollisionObject*>(other->m_clientObject)->activate();
   }
+  if (def.on_device) wake_overlapping(changed);
   if (!changed.isStaticObject()) wake_up(changed);
   knows_touches = false;
   parts_changed = true;

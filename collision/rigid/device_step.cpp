@@ -75,11 +75,16 @@ void add_parts(const std::vector<ContactPart>& own, const btRigidBody& bullet, c
 
 constexpr uint64_t fixed_key = uint64_t{1} << 32;  // of fixed solids, whose keys come after those of bodies
 
+}  // namespace
+
 RigidRef solid_of_key(uint64_t key) {
   return {(key >> 16 & fixed_key) == 0, static_cast<uint32_t>(key >> 16)};
 }
 
-}  // namespace
+float yielding_of(const RigidMemory& memory) {
+  if (memory.free_work == 0) return 1;
+  return pbd::clamp(memory.push_work / memory.free_work, rigid_tuning::least_yielding, 1);
+}
 
 std::vector<ContactPart> contact_parts(const RigidSolid& solid) {
   if (solid.parts.size() > 1u << 16) refuse_part("solids of more than 65536 parts");
@@ -119,7 +124,7 @@ int RigidWorld::Impl::small_steps() const {
   return (def.iterations + 1) / 2;
 }
 
-ContactBody RigidWorld::Impl::contact_body(const RigidBodyRecord& body, float h) const {
+ContactBody RigidWorld::Impl::contact_body(const RigidBodyRecord& body, float h, bool pushed) const {
   const btRigidBody& b = *body.bullet;
   ContactBody to{from_bullet(b.getWorldTransform()),
                  from_bullet(b.getLinearVelocity()),
@@ -130,11 +135,15 @@ ContactBody RigidWorld::Impl::contact_body(const RigidBodyRecord& body, float h)
                  {0, 0, 0},
                  1,
                  1};
-  if (body.kinematic) return to;
+  if (body.kinematic || !b.isActive()) return to;
   to.inverse_mass = b.getInvMass() / mass_unit;
   to.inverse_inertia = from_bullet(b.getInvInertiaDiagLocal()) / mass_unit;
-  to.acceleration = from_bullet(b.getGravity()) + to.inverse_mass * (body.memory.force + body.push);
-  to.torque = body.memory.torque + body.push_torque;
+  to.acceleration = from_bullet(b.getGravity()) + to.inverse_mass * body.memory.force;
+  to.torque = body.memory.torque;
+  if (pushed) {
+    to.acceleration += to.inverse_mass * body.push;
+    to.torque += body.push_torque;
+  }
   to.kept = std::pow(1 - b.getLinearDamping(), h);
   to.angular_kept = std::pow(1 - b.getAngularDamping(), h);
   return to;
@@ -148,13 +157,21 @@ void RigidWorld::Impl::arrive(RigidBodyRecord& body, const ContactMotion& motion
   set_speed(b, motion.velocity, motion.angular);
 }
 
-void RigidWorld::Impl::gather_bodies(float dt) {
+void RigidWorld::Impl::gather_bodies(float dt, bool pushed) {
   contact_bodies.assign(bodies.slots.size(),
                         ContactBody{{}, {0, 0, 0}, {0, 0, 0}, 0, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 1, 1});
   contact_motions.resize(bodies.slots.size());
   for_each_body([&](uint32_t n, const RigidBodyRecord& body) {
-    contact_bodies[n] = contact_body(body, dt / static_cast<float>(small_steps()));
+    contact_bodies[n] = contact_body(body, dt / static_cast<float>(small_steps()), pushed);
   });
+}
+
+/// Finds contacts, and wakes the sleeping bodies that are in them.
+void RigidWorld::Impl::find_on_device(float dt, bool pushed) {
+  do {
+    gather_bodies(dt, pushed);
+    contacts->find(contact_bodies, dt);
+  } while (wake_touched());
 }
 
 ContactStep RigidWorld::Impl::contact_step(float dt) const {
@@ -165,10 +182,13 @@ ContactStep RigidWorld::Impl::contact_step(float dt) const {
 /// bodies where other solids let them be.
 void RigidWorld::Impl::begin_on_device(float dt) {
   update_parts();
-  for (const auto& body : bodies.slots)
-    if (body) body->push = body->push_torque = {0, 0, 0};
-  gather_bodies(dt);
-  contacts->find(contact_bodies, dt);
+  wake_beside_driven();
+  wake_islands();
+  try_unpushed(dt);
+}
+
+void RigidWorld::Impl::try_unpushed(float dt) {
+  find_on_device(dt, false);
   contacts->advance(contact_bodies, contact_step(dt), contact_motions);
   unpushed = contact_motions;
 }
@@ -177,11 +197,11 @@ void RigidWorld::Impl::begin_on_device(float dt) {
 RigidMotion RigidWorld::Impl::unpushed_motion(uint32_t number, const RigidBodyRecord& body, float dt) const {
   const Pose start = from_bullet(body.bullet->getWorldTransform());
   const ContactMotion& end = unpushed[number];
+  if (!body.bullet->isActive()) return asleep(*body.bullet, body.memory, dt);
   const KinematicVelocity mean = velocity_to(start, end.pose, dt / static_cast<float>(def.substeps));
-  const float push = body.memory.push_work, free = body.memory.free_work;
-  if (free == 0 || !end.touches) return {start, mean.linear, mean.angular};
+  if (!end.touches) return {start, mean.linear, mean.angular};
   return {start, mean.linear, mean.angular, normalized_or(body.memory.usual_force, {0, 0, 0}),
-          pbd::clamp(push / free, rigid_tuning::least_yielding, 1)};
+          yielding_of(body.memory)};
 }
 
 /// Compares what the push of particles did to the body's velocity with what it would do to a free body, along
@@ -204,22 +224,28 @@ void RigidWorld::Impl::measure_yielding(RigidBodyRecord& body, uint32_t number, 
 
 /// One of `substeps` steps. begin_on_device() has found the contacts of the first.
 void RigidWorld::Impl::step_on_device(float dt, bool is_first) {
-  gather_bodies(dt);
-  if (!is_first) contacts->find(contact_bodies, dt);
+  // A push may have woken some.
+  if (is_first && wake_islands()) try_unpushed(dt);
+  if (is_first)
+    gather_bodies(dt, true);
+  else
+    find_on_device(dt, true);
   contacts->advance(contact_bodies, contact_step(dt), contact_motions);
   contacts->accept();
   for (uint32_t n = 0; n < bodies.slots.size(); ++n) {
-    if (!bodies.has(n) || bodies.slots[n]->kinematic) continue;
+    if (!bodies.has(n) || bodies.slots[n]->kinematic || !bodies.slots[n]->bullet->isActive()) continue;
     if (is_first) measure_yielding(*bodies.slots[n], n, dt);
     arrive(*bodies.slots[n], contact_motions[n]);
   }
   boxes_changed = true;
+  note_rest(dt);
+  fall_asleep();
 }
 
 /// Forces act in all small steps alike, so a body that falls gets further by half of the last one.
 RigidMotion RigidWorld::Impl::flight_on_device(const RigidBodyRecord& body, float dt) const {
   const btRigidBody& b = *body.bullet;
-  const ContactBody from = contact_body(body, 0.5f * dt);
+  const ContactBody from = contact_body(body, 0.5f * dt, false);
   const float steps = static_cast<float>(small_steps() * def.substeps), mean = 0.5f * (1 + 1 / steps);
   const Vec3 spin = from_bullet(b.getInvInertiaTensorWorld() * in_mass_units(from.torque));
   const Vec3 free = from_bullet(tumbled(b, b.getAngularVelocity(), dt));
@@ -237,11 +263,13 @@ void RigidWorld::Impl::update_boxes() {
 std::vector<RigidContact> RigidWorld::Impl::contacts_on_device() const {
   std::vector<RigidContact> all;
   if (!contacts) return all;
-  for (const SolvedContact& c : contacts->solved()) {
+  const auto add = [&](const SolvedContact& c) {
     const float half = 0.5f * c.distance;
     all.push_back({solid_of_key(c.key_a), solid_of_key(c.key_b), c.position - half * c.normal, c.normal,
                    c.distance, c.impulse});
-  }
+  };
+  std::ranges::for_each(contacts->solved(), add);
+  std::ranges::for_each(resting_contacts, add);
   return all;
 }
 

@@ -116,15 +116,15 @@ RigidMotion free_flight(btRigidBody& body, const RigidMemory& memory, float dt, 
   return flight.mean();
 }
 
-/// A sleeping body is at rest because its other forces balance the push of particles that it fell asleep
-/// under. It is predicted with these forces, so that it bears particles as it did when it was awake.
+}  // namespace
+
 RigidMotion asleep(const btRigidBody& body, const RigidMemory& memory, float dt) {
   const btVector3 linear = body.getInvMass() * in_mass_units(memory.usual_force);
   const btVector3 angular = body.getInvInertiaTensorWorld() * in_mass_units(memory.usual_torque);
-  return {from_bullet(body.getWorldTransform()), -dt * from_bullet(linear), -dt * from_bullet(angular)};
+  const float yielding = yielding_of(memory);
+  return {from_bullet(body.getWorldTransform()), -dt * yielding * from_bullet(linear),
+          -dt * yielding * from_bullet(angular), normalized_or(memory.usual_force, {0, 0, 0}), yielding};
 }
-
-}  // namespace
 
 /// The bodies that joints hold, followed together. Bullet's solver adds their forces.
 struct RigidWorld::Impl::JointedFlight {
@@ -207,12 +207,12 @@ void RigidWorld::predict(float dt, std::span<RigidMotion> out) const {
       const Pose target = impl_->kinematic_pose(body, impl_->time + dt) * body.shape.frame;
       const KinematicVelocity v = velocity_to(start, target, dt);
       out[n] = {start, v.linear, v.angular};
+    } else if (!body.bullet->isActive()) {
+      out[n] = asleep(*body.bullet, body.memory, dt);
     } else if (impl_->def.on_device) {
       out[n] = impl_->flight_on_device(body, dt);
-    } else if (body.bullet->isActive()) {
-      out[n] = free_flight(*body.bullet, body.memory, dt, impl_->def.substeps);
     } else {
-      out[n] = asleep(*body.bullet, body.memory, dt);
+      out[n] = free_flight(*body.bullet, body.memory, dt, impl_->def.substeps);
     }
   });
   if (dt > 0) impl_->predict_jointed(dt, out);

@@ -34,6 +34,7 @@ struct RigidMemory {
   KinematicDrive drive = KinematicDrive::still;
   KinematicMove move{};
   float push_work = 0, free_work = 0;  ///< J, on a device: of the usual push; if the body were free
+  uint32_t island = pbd::no_index;     ///< on a device: the lowest body of those that fell asleep together
 };
 
 struct RigidBodyRecord {
@@ -122,9 +123,11 @@ struct RigidWorld::Impl {
   std::vector<uint64_t> touching_keys;
   std::vector<RigidTouch> touches;
   bool knows_touches = false;
-  RigidContacts* contacts = nullptr;  ///< on a device
-  bool parts_changed = true;          ///< since `contacts` got them
-  bool boxes_changed = false;         ///< since Bullet's broad phase got them
+  RigidContacts* contacts = nullptr;         ///< on a device
+  bool parts_changed = true;                 ///< since `contacts` got them
+  bool boxes_changed = false;                ///< since Bullet's broad phase got them
+  std::vector<SavedContact> resting_starts;  ///< contacts of sleeping bodies, which a device need not see
+  std::vector<SolvedContact> resting_contacts;
   std::vector<ContactBody> contact_bodies;
   std::vector<ContactMotion> contact_motions, unpushed;  ///< at the end of a step; without its impulses
 
@@ -171,8 +174,19 @@ struct RigidWorld::Impl {
   void update_parts();
   void update_boxes();
   int small_steps() const;
-  ContactBody contact_body(const RigidBodyRecord& body, float h) const;
-  void gather_bodies(float h);
+  ContactBody contact_body(const RigidBodyRecord& body, float h, bool pushed) const;
+  void gather_bodies(float dt, bool pushed);
+  void find_on_device(float dt, bool pushed);
+  void try_unpushed(float dt);
+  bool wake_islands();
+  bool wake_touched();
+  void wake_beside_driven();
+  void wake_resting(std::span<btRigidBody* const> changed);
+  void wake_overlapping(btRigidBody& changed);
+  void note_rest(float dt);
+  void fall_asleep();
+  bool rests(const RigidRef& solid) const;
+  void part_resting(bool fall);
   ContactStep contact_step(float dt) const;
   void begin_on_device(float dt);
   void arrive(RigidBodyRecord& body, const ContactMotion& motion);
@@ -199,9 +213,17 @@ KinematicVelocity velocity_to(const Pose& start, const Pose& target, float dt);
 /// The angular velocity of a free body after dt.
 btVector3 tumbled(const btRigidBody& body, const btVector3& angular, float dt);
 
+/// A sleeping body is at rest because its other forces balance the push of particles that it fell asleep
+/// under. It is predicted with these forces, so that it bears particles as it did when it was awake.
+RigidMotion asleep(const btRigidBody& body, const RigidMemory& memory, float dt);
+
 /// For a device, in the geometry's frame. Throws Error(invalid_argument) for parts that it has no contacts
 /// of.
 std::vector<ContactPart> contact_parts(const RigidSolid& solid);
+/// The solid of a part with this key.
+RigidRef solid_of_key(uint64_t key);
+/// By what fraction a body gives way to its usual push among solids.
+float yielding_of(const RigidMemory& memory);
 [[noreturn]] void refuse_joint();
 
 void wake_up(btRigidBody& body);

@@ -41,7 +41,8 @@ struct RigidWorld::Snapshot {
   std::vector<SavedPrediction> predictions;
   std::vector<btManifoldPoint> predicted_points;
   RigidBroadphase::State broadphase;
-  std::vector<SavedContact> on_device;
+  std::vector<SavedContact> on_device, resting_starts;
+  std::vector<SolvedContact> resting_contacts;
   double time = 0;
 };
 

@@ -143,6 +143,7 @@ void RigidWorld::Impl::wake_around(std::span<btRigidBody* const> changed) {
     if (b->getUserIndex2() == is_changed) a->activate();
   }
   for (btRigidBody* body : changed) body->setUserIndex2(is_other);
+  wake_resting(changed);
   for (btRigidBody* body : changed) {
     if (body->isStaticObject()) continue;  // joints are of bodies
     for (const uint32_t n : this->body(static_cast<uint32_t>(body->getUserIndex())).joints) {

@@ -41,6 +41,7 @@ struct DeviceBodyFields {
   void operator()(const V& v, SavedBody& b) const {
     v("push_work", b.memory.push_work);
     v("free_work", b.memory.free_work);
+    v("island", b.memory.island);
   }
 };
 
@@ -136,6 +137,18 @@ struct ContactFields {
   }
 };
 
+struct RestingFields {
+  template <class V>
+  void operator()(const V& v, SolvedContact& c) const {
+    v("key_a", c.key_a);
+    v("key_b", c.key_b);
+    v("position", c.position);
+    v("normal", c.normal);
+    v("distance", c.distance);
+    v("impulse", c.impulse);
+  }
+};
+
 template <class Record, class Fields>
 struct Columns {
   std::vector<Record>& records;
@@ -193,6 +206,8 @@ void RigidWorld::visit_snapshot(Snapshot& s, pbd::StateVisitor& v) const {
   if (impl_->def.on_device) {
     visit(v, "device_body", s.bodies, DeviceBodyFields{});
     visit(v, "device_contact", s.on_device, ContactFields{});
+    visit(v, "resting_start", s.resting_starts, ContactFields{});
+    visit(v, "resting_contact", s.resting_contacts, RestingFields{});
   }
   static constexpr const char* axes[] = {"edge_x", "edge_y", "edge_z"};
   for (int axis = 0; axis < 3; ++axis) {

@@ -138,10 +138,12 @@ struct StartColouring {
   View<const ContactPart> parts;
   View<const PlacedPart> placed;
   View<TwoBodies> bodies;
+  View<ContactBodies> all_bodies;
   View<uint32_t> colour, number;
 
   MENISCUS_HD void operator()(uint32_t k) const {
     const FoundContact& c = found[contacts[k]];
+    all_bodies[k] = {parts[c.a].body, parts[c.b].body};
     bodies[k] = {placed[c.a].moves ? parts[c.a].body : pbd::no_index,
                  placed[c.b].moves ? parts[c.b].body : pbd::no_index};
     colour[k] = no_colour;

@@ -119,6 +119,13 @@ void RigidContactSet<D>::restore(std::span<const SavedContact> saved) {
 }
 
 template <class D>
+std::vector<ContactBodies> RigidContactSet<D>::found() {
+  if (contact_count_ == 0) return {};
+  device_.wait();
+  return contact_bodies_.read(contact_count_);
+}
+
+template <class D>
 std::vector<SolvedContact> RigidContactSet<D>::solved() {
   std::vector<SolvedContact> all;
   if (contact_count_ == 0) return all;

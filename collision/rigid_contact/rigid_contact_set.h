@@ -30,6 +30,7 @@ class RigidContactSet final : public RigidContacts {
 
   void set_parts(std::span<const ContactPart> parts) override;
   void find(std::span<const ContactBody> bodies, float dt) override;
+  std::vector<ContactBodies> found() override;
   void advance(std::span<const ContactBody> bodies, const ContactStep& step,
                std::span<ContactMotion> out) override;
   void accept() override;
@@ -76,6 +77,7 @@ class RigidContactSet final : public RigidContacts {
   pbd::Buffer<uint32_t> touches_{device_, "solid pairs"}, place_{device_, "solid pairs"};
   pbd::Buffer<uint32_t> contacts_{device_, "solid contacts"};
   pbd::Buffer<rigid_contact_kernels::TwoBodies> two_bodies_{device_, "solid contacts"};
+  pbd::Buffer<ContactBodies> contact_bodies_{device_, "solid contacts"};
   pbd::Buffer<uint32_t> colour_{device_, "solid colours"}, sorted_colour_{device_, "solid colours"};
   pbd::Buffer<uint32_t> contact_number_{device_, "solid colours"}, order_{device_, "solid colours"};
   pbd::Buffer<uint32_t> claims_{device_, "solid colours"}, next_claims_{device_, "solid colours"};

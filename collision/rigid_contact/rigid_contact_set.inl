@@ -113,6 +113,7 @@ void RigidContactSet<D>::colour() {
   const uint32_t count = contact_count_;
   for (auto* buffer : {&colour_, &sorted_colour_, &contact_number_, &order_}) make_room(*buffer, count);
   make_room(two_bodies_, count);
+  make_room(contact_bodies_, count);
   if (used_.size() != bodies_count_) {
     used_.resize_discard(bodies_count_);
     claims_.resize_discard(bodies_count_);
@@ -123,8 +124,8 @@ void RigidContactSet<D>::colour() {
   claims_.fill(0xff);
   device_.parallel_for("solids/uncoloured", count,
                        StartColouring{contacts_.view(), found_.view(), parts_.view(), placed_.view(),
-                                      two_bodies_.view().first(count), colour_.view().first(count),
-                                      contact_number_.view().first(count)});
+                                      two_bodies_.view().first(count), contact_bodies_.view().first(count),
+                                      colour_.view().first(count), contact_number_.view().first(count)});
   for (uint32_t round = 0; round < rigid_contact_tuning::colour_rounds; ++round) {
     device_.parallel_for("solids/claim", std::max(count, bodies_count_),
                          ClaimBodies{two_bodies_.view().first(count), colour_.view().first(count),

@@ -63,6 +63,11 @@ struct SolvedContact {
   float impulse;   ///< N·s
 };
 
+/// The bodies of a contact; no_index: a fixed solid.
+struct ContactBodies {
+  uint32_t a, b;
+};
+
 class RigidContacts {
  public:
   virtual ~RigidContacts() = default;
@@ -71,6 +76,8 @@ class RigidContacts {
   virtual void set_parts(std::span<const ContactPart> parts) = 0;
   /// Finds the contacts of a step that may last dt (s). Velocities and accelerations say how far ahead.
   virtual void find(std::span<const ContactBody> bodies, float dt) = 0;
+  /// Those that find() has found, by contact. Bodies that contacts do not move have none with one another.
+  virtual std::vector<ContactBodies> found() = 0;
   /// Advances the bodies from where find() has them, with forces that may differ. The result does not depend
   /// on earlier calls since find().
   virtual void advance(std::span<const ContactBody> bodies, const ContactStep& step,

@@ -22,7 +22,9 @@ struct Structure {
 
   Structure() { d.world.add_fixed(fixed_solid(plane_part())); }
   void add(Vec3 half_extents, const Pose& pose, double density = 1000) {
-    d.world.add_body(body_def({box_part(half_extents)}, pose, density));
+    RigidBodyDef def = body_def({box_part(half_extents)}, pose, density);
+    def.can_sleep = false;
+    d.world.add_body(def);
     start.push_back(pose.position);
   }
   std::vector<Vec3> places() const {

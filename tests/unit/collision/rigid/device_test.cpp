@@ -25,6 +25,11 @@ void lay_ground(RigidWorld& world, float friction = 0.5f, float restitution = 0)
   world.add_fixed(ground);
 }
 
+RigidBodyDef sleepless(RigidBodyDef def) {
+  def.can_sleep = false;
+  return def;
+}
+
 RigidBodyDef with_surface(RigidBodyDef def, float friction, float restitution = 0) {
   def.solid.friction = friction;
   def.solid.restitution = restitution;
@@ -37,7 +42,7 @@ TEST(RigidDevice, AStackOf10Stands) {
   DeviceWorld d;
   lay_ground(d.world);
   for (int k = 0; k < 10; ++k)
-    d.world.add_body(body_def(cube, {0, half * (2.0f * static_cast<float>(k) + 1), 0}));
+    d.world.add_body(sleepless(body_def(cube, {0, half * (2.0f * static_cast<float>(k) + 1), 0})));
   run(d.world, dt, 2500);  // until it has stopped swaying
   std::vector<Pose> before;
   for (uint32_t n = 0; n < 10; ++n) before.push_back(d.world.pose(n));
@@ -53,7 +58,7 @@ TEST(RigidDevice, APyramidStands) {
   for (int row = 0; row < 6; ++row) {
     for (int k = 0; k < 6 - row; ++k) {
       const float x = 2.1f * half * (static_cast<float>(k) + 0.5f * static_cast<float>(row));
-      d.world.add_body(body_def(cube, {x, half * (2.0f * static_cast<float>(row) + 1), 0}));
+      d.world.add_body(sleepless(body_def(cube, {x, half * (2.0f * static_cast<float>(row) + 1), 0})));
     }
   }
   run(d.world, dt, 500);
@@ -65,8 +70,9 @@ TEST(RigidDevice, APyramidStands) {
 TEST(RigidDevice, ALightPlateBearsAHeavyLoad) {
   DeviceWorld d({.iterations = 20, .on_device = true});
   lay_ground(d.world);
-  d.world.add_body(body_def(box_part({0.2f, 0.02f, 0.2f}), {0, 0.02f, 0}, 100));
-  const uint32_t load = d.world.add_body(body_def(box_part({0.1f, 0.1f, 0.1f}), {0, 0.14f, 0}, 24000));
+  d.world.add_body(sleepless(body_def(box_part({0.2f, 0.02f, 0.2f}), {0, 0.02f, 0}, 100)));
+  const uint32_t load =
+      d.world.add_body(sleepless(body_def(box_part({0.1f, 0.1f, 0.1f}), {0, 0.14f, 0}, 24000)));
   ASSERT_NEAR(d.world.mass(0).inverse_mass / d.world.mass(load).inverse_mass, 300, 1);
   run(d.world, dt, 1000);
   EXPECT_NEAR(d.world.pose(load).position.y, 0.14f, 0.004f);
