@@ -7,8 +7,7 @@
 //   --cuda                 each rank has a GPU
 //   --size WIDTH LENGTH    of the dam, in m
 //   --plain                without surface tension
-//   --drop                 instead, two drops that meet without gravity; prints the relative error of
-//   momentum
+//   --drop                 instead, drops that meet without gravity; prints the relative error of momentum
 //   --move-cuts            by two layers with every step
 //   --memory               each rank prints the memory of its device for each particle
 //   --save FILE            saves the world after the steps
