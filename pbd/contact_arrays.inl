@@ -26,7 +26,7 @@ void ContactArrays<D>::reserve(uint32_t capacity) {
   start_.resize_discard(capacity + 1);
   start_.fill(0);
   for (ContactSource<D>* source : sources_) source->reserve(capacity);
-  if (contacts_.size() == 0) resize(first_room(capacity));
+  if (contacts_.size() < first_room(capacity)) resize(first_room(capacity));
 }
 
 template <class D>
