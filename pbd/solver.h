@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The position-based solver: parameters, results and interface. solver.inl has the algorithm.
+// The position-based solver: parameters, results and interface. solver/solver.inl has the algorithm.
 #pragma once
 
 #include <meniscus/hooks.h>

@@ -43,6 +43,9 @@ const Edges folders{
     {"pbd",
      {"pbd/device", "pbd/device/base", "pbd/device/cpu", "pbd/device/cuda", "pbd/math", "pbd/ranks",
       "pbd/state"}},
+    {"pbd/solver",
+     {"pbd", "pbd/device", "pbd/device/base", "pbd/device/cpu", "pbd/device/cuda", "pbd/math", "pbd/ranks",
+      "pbd/state"}},
     {"pbd/surface_tree", {"pbd", "pbd/device", "pbd/device/base", "pbd/math"}},
 
     {"fluid/kernel", {}},

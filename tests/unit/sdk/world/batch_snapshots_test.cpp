@@ -3,6 +3,7 @@
 //
 // A batch goes on from a snapshot, in memory or in a file, as it went on before.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <optional>
@@ -42,7 +43,8 @@ class BatchSnapshotsTest : public OnDevice {
     return hashes(batch);
   }
   static std::string path() {
-    return (std::filesystem::path(::testing::TempDir()) / "batch.menisnap").string();
+    const std::string name = "meniscus_batch_" + std::to_string(getpid()) + ".menisnap";
+    return (std::filesystem::path(::testing::TempDir()) / name).string();
   }
 };
 

@@ -4,6 +4,6 @@
 // Instantiates Solver for the GPU.
 #include "pbd/device/cuda/cuda_access.cuh"
 #include "pbd/device/cuda/cuda_device.cuh"
-#include "pbd/solver.inl"
+#include "pbd/solver/solver.inl"
 
 template class meniscus::pbd::Solver<meniscus::pbd::CudaDevice>;

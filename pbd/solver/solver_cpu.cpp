@@ -4,6 +4,6 @@
 // Instantiates Solver for the CPU.
 #include "pbd/device/cpu/cpu_access.h"
 #include "pbd/device/cpu/cpu_device.h"
-#include "pbd/solver.inl"
+#include "pbd/solver/solver.inl"
 
 template class meniscus::pbd::Solver<meniscus::pbd::CpuDevice>;
