@@ -61,6 +61,6 @@ function(meniscus_library name)
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/sdk/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   if(MENISCUS_CUDA)
     target_sources(${name} PRIVATE ${arg_CUDA})
-    target_link_libraries(${name} PRIVATE ${cudart})
+    target_link_libraries(${name} PRIVATE $<LINK_ONLY:${cudart}>)  # nvcc finds its headers by itself
   endif()
 endfunction()

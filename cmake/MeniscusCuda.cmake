@@ -82,7 +82,10 @@ option(MENISCUS_CUDA "Build the CUDA device" ${cuda_default})
 
 if(MENISCUS_CUDA)
   find_package(CUDAToolkit REQUIRED)
-  target_compile_definitions(meniscus_flags INTERFACE MENISCUS_HAS_CUDA=1)
+  # C++ sources know of CUDA only where they say so. The others are compiled as without it, so a build for both takes their
+  # objects from the compiler's cache.
+  target_compile_definitions(meniscus_flags INTERFACE $<$<COMPILE_LANGUAGE:CUDA>:MENISCUS_HAS_CUDA=1>)
+  set(meniscus_cuda_definitions MENISCUS_HAS_CUDA=1)
   string(REPLACE ";" "," host_flags "-Wall;-ffp-contract=off;-fno-math-errno")
   # The standard by hand: CMake before 3.26 does not know that nvcc has C++20.
   target_compile_options(meniscus_flags INTERFACE
