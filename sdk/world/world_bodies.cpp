@@ -10,7 +10,7 @@
 
 #include "sdk/world/check/check.h"
 #include "sdk/world/check/periodic.h"
-#include "sdk/world/solids/body_calls.h"
+#include "sdk/world/state/body_calls.h"
 #include "sdk/world/world_calls.h"
 
 namespace meniscus {

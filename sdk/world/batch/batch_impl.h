@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "pbd/state/saved_state.h"
-#include "sdk/world/solids/body_calls.h"
+#include "sdk/world/state/body_calls.h"
 #include "sdk/world/world_boundary.h"
 
 namespace meniscus {

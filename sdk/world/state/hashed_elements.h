@@ -8,7 +8,7 @@
 #include <cstdint>
 
 #include "pbd/math/hash.h"
-#include "sdk/world/solids/body_calls.h"
+#include "sdk/world/state/body_calls.h"
 
 namespace meniscus {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Functions of BodyCalls.
-#include "sdk/world/solids/body_calls.h"
+#include "sdk/world/state/body_calls.h"
 
 #include <meniscus/error.h>
 
