@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "collision/rigid/rigid_world.h"
-#include "pbd/host_threads.h"
+#include "pbd/device/cpu/host_threads.h"
 
 namespace meniscus::collision {
 

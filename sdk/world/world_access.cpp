@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // World's calls that let others work with its device: arrays there, steps in two halves, and hooks.
+#include <atomic>
 #include <utility>
 
 #include "sdk/world/check/check.h"
@@ -15,6 +16,7 @@ namespace {
 void make_room(DeviceArray& array, Engine& engine, ElementType type, size_t count, int columns) {
   const size_t element = type == ElementType::uint64 ? 8 : 4, bytes = count * size_t(columns) * element;
   const bool fits = array.memory.use_count() == 1 && array.shape[0] == static_cast<int64_t>(count);
+  std::atomic_thread_fence(std::memory_order_acquire);  // the last holder may have been on another thread
   if (!fits) {
     array.memory.reset();
     if (bytes) array.memory = engine.allocate_lasting(bytes);

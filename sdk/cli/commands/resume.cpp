@@ -23,7 +23,7 @@ void expect_count(const char* what, std::size_t found, std::size_t expected, con
 }  // namespace
 
 BuiltScene resume_scene(const Scene& scene, const std::string& file) {
-  BuiltScene built{World::load(file, {scene.world.device, scene.world.threads}),
+  BuiltScene built{World::load(file, {scene.world.device, scene.world.threads, scene.world.cuda_device}),
                    {},
                    {},
                    {},

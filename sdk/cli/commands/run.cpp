@@ -74,14 +74,11 @@ Scene with_own_gpu(Scene scene) {
   return scene;
 }
 
-BuiltScene built_of(const RunOptions& options, const Scene& scene, bool is_shared) {
-  if (options.from.empty()) {
-    BuiltScene built = build_scene(is_shared ? with_own_gpu(scene) : scene);
-    if (is_shared) SharedWorld::check(built.world);
-    return built;
-  }
-  BuiltScene built = resume_scene(scene, options.from);
+BuiltScene built_of(const RunOptions& options, const Scene& given, bool is_shared) {
+  const Scene scene = is_shared ? with_own_gpu(given) : given;
+  BuiltScene built = options.from.empty() ? build_scene(scene) : resume_scene(scene, options.from);
   if (is_shared) SharedWorld::check(built.world);
+  if (options.from.empty()) return built;
   const int reached = frame_of(built.world, scene);
   if (reached < scene.frames) return built;
   throw Error(ErrorCode::invalid_argument, options.from + " is of frame " + std::to_string(reached) +

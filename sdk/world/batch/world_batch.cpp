@@ -5,6 +5,7 @@
 #include <meniscus/batch.h>
 
 #include <algorithm>
+#include <atomic>
 #include <string>
 #include <utility>
 
@@ -19,6 +20,7 @@ namespace {
 void make_room(DeviceArray& array, Engine& engine, int64_t worlds, int64_t each) {
   if (array.memory.use_count() != 1)
     array.memory = engine.allocate_lasting(static_cast<size_t>(worlds * each) * sizeof(Vec3));
+  std::atomic_thread_fence(std::memory_order_acquire);  // the last holder may have been on another thread
   array.data = array.memory.get();
   array.dimensions = 3;
   array.shape = {worlds, each, 3};

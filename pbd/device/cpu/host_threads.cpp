@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Functions of HostThreads.
-#include "pbd/host_threads.h"
+#include "pbd/device/cpu/host_threads.h"
 
 #include <tbb/info.h>
 
