@@ -29,20 +29,31 @@ struct Definitions;
 /// A read-out that is fetched from the device on its first request after a change.
 template <class T>
 struct CachedReadout {
-  std::shared_ptr<std::vector<T>> values = std::make_shared<std::vector<T>>();
+  struct Array {
+    std::vector<T> values;
+    std::atomic<uint32_t> holders = 0;  ///< that hold() gave it to and that have not released it
+  };
+  std::shared_ptr<Array> array = std::make_shared<Array>();
   bool valid = false;
 
   template <class Fetch>
   std::span<const T> get(size_t count, const Fetch& fetch) {
     if (!valid) {
-      // World::hold() gives the array to others, who may release it on another thread.
-      if (values.use_count() > 1) values = std::make_shared<std::vector<T>>();
-      std::atomic_thread_fence(std::memory_order_acquire);
-      values->resize(count);
-      if (count) fetch(std::span<T>(*values));
+      if (array->holders.load(std::memory_order_acquire)) array = std::make_shared<Array>();
+      array->values.resize(count);
+      if (count) fetch(std::span<T>(array->values));
       valid = true;
     }
-    return *values;
+    return array->values;
+  }
+
+  /// Keeps the array as it is until the owner is released, on any thread.
+  std::shared_ptr<const void> hold() const {
+    array->holders.fetch_add(1, std::memory_order_relaxed);
+    const auto release = [held = array](const void*) {
+      held->holders.fetch_sub(1, std::memory_order_release);
+    };
+    return {static_cast<const void*>(array->values.data()), release};
   }
 };
 

@@ -92,8 +92,8 @@ std::shared_ptr<const void> World::Calls::hold(const void* first) const {
   std::shared_ptr<const void> owner;
   const auto try_each = [&](const auto&... readouts) {
     const auto try_one = [&](const auto& readout) {
-      if (readout.valid && !readout.values->empty() && readout.values->data() == first)
-        owner = readout.values;
+      const auto& values = readout.array->values;
+      if (readout.valid && !values.empty() && values.data() == first) owner = readout.hold();
     };
     (try_one(readouts), ...);
   };

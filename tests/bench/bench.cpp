@@ -12,6 +12,7 @@
 //   bench sheet --fabric-density 0.2,40 --substeps 4 --iterations 2
 //   bench surface --particles 1000000
 //   bench batch --device cuda --worlds 256,1024,4096 --particles 1000 --reset 0.01
+//   bench snapshot --device cuda --particles 1000000
 //   bench render --device cuda --particles 100000,1000000
 #include <CLI/CLI.hpp>
 #include <exception>
@@ -25,6 +26,7 @@
 #include "tests/bench/dam.h"
 #include "tests/bench/pool.h"
 #include "tests/bench/sheet.h"
+#include "tests/bench/snapshot.h"
 #ifdef MENISCUS_WITH_RENDERER
 #include "tests/bench/render.h"
 #endif
@@ -39,6 +41,7 @@ int main(int argc, char** argv) {
   SheetOptions sheet;
   SurfaceOptions surface;
   BatchOptions batch;
+  SnapshotOptions snapshot;
   CLI::App app("Times steps, and says what they were worth");
   app.fallthrough();
   app.require_subcommand(1);
@@ -54,6 +57,7 @@ int main(int argc, char** argv) {
   const CLI::App* sheet_case = add_sheet(app, sheet);
   const CLI::App* surface_case = add_surface(app, surface);
   const CLI::App* batch_case = add_batch(app, batch);
+  const CLI::App* snapshot_case = add_snapshot(app, snapshot);
 #ifdef MENISCUS_WITH_RENDERER
   RenderOptions render;
   const CLI::App* render_case = add_render(app, render);
@@ -71,6 +75,7 @@ int main(int argc, char** argv) {
     if (sheet_case->parsed()) run_sheet(common, sheet, results);
     if (surface_case->parsed()) run_surface(common, surface, results);
     if (batch_case->parsed()) run_batch(common, batch, results);
+    if (snapshot_case->parsed()) run_snapshot(common, snapshot, results);
 #ifdef MENISCUS_WITH_RENDERER
     if (render_case->parsed()) run_render(common, render, results);
 #endif
