@@ -123,7 +123,7 @@ SurfaceMesh World::Calls::surface_mesh(const SurfaceMeshDef& def) const {
 Diagnostics World::Calls::diagnostics() const {
   Diagnostics d = impl_->with_all().measure(impl_->def.gravity);
   const std::span<const float> error = density_errors();
-  const std::vector<float>& full = *impl_->full_support.values;
+  const std::vector<float>& full = impl_->full_support.array->values;
   double over = 0, interior = 0, interior_count = 0;
   for (size_t i = 0; i < error.size(); ++i) {
     over += std::max(error[i], 0.0f);
