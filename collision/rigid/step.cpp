@@ -179,9 +179,11 @@ void RigidWorld::check_finite() const {
     if (!impl_->bodies.has(n)) continue;
     const btRigidBody& body = *impl_->body(n).bullet;
     const btTransform& at = body.getWorldTransform();
-    btVector3 all = at.getOrigin() + body.getLinearVelocity() + body.getAngularVelocity();
+    btVector3 all = at.getOrigin();
     for (int row = 0; row < 3; ++row) all += at.getBasis().getRow(row);
-    if (is_finite(from_bullet(all))) continue;
+    // As for particles, the squares of speeds must be finite as well.
+    const float squares = body.getLinearVelocity().length2() + body.getAngularVelocity().length2();
+    if (is_finite(from_bullet(all)) && std::isfinite(squares)) continue;
     const std::string& name = impl_->body(n).name;
     const std::string which = name.empty() ? "with the index " + std::to_string(n) : "\"" + name + "\"";
     throw Error(ErrorCode::non_finite, "the rigid body " + which +

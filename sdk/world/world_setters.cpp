@@ -114,17 +114,17 @@ std::vector<uint32_t> World::Calls::slots_of(FluidId fluid) const {
   return slots;
 }
 
-void World::Impl::place(std::span<const uint32_t> slots, std::span<const Vec3> positions,
+void World::Impl::place(std::span<const uint32_t> slots, std::span<const Vec3> places,
                         const std::function<std::vector<Vec3>()>& others) {
   if (slots.empty()) return;
-  check::between_seams(periodic_axes(def.periodic), positions, particle_positions.value);
+  check::between_seams(periodic_axes(def.periodic), places, particle_positions.value);
   uint64_t bound = slots.size() == ids.size() ? 0 : crowding_bound;
   std::vector<Vec3> rest;
   check_crowding(
-      bound, positions, [&]() -> std::span<const Vec3> { return rest = others(); }, kernel.h,
+      bound, places, [&]() -> std::span<const Vec3> { return rest = others(); }, kernel.h,
       particle_positions.call);
   upload_materials();
-  engine->place_particles(slots, positions);
+  engine->place_particles(slots, places);
   crowding_bound = bound;
   state_changed();
 }

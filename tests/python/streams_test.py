@@ -27,8 +27,8 @@ if not has("torch") or not any(device.kind == "cuda" and device.usable for devic
 import torch  # noqa: E402
 
 
-def dam(**members):
-    world = meniscus.World(particle_spacing=0.02, substeps=2, iterations=4, device="cuda", **members)
+def dam(device="cuda", **members):
+    world = meniscus.World(particle_spacing=0.02, substeps=2, iterations=4, device=device, **members)
     world.add_shape(geometry=meniscus.ContainerGeometry(half_extents=(0.5, 0.5, 0.2)))
     water = world.add_fluid(xsph=10)
     world.add_volume(fluid=water, region=meniscus.BoxRegion(lower=(-0.5, -0.5, -0.2), upper=(0, 0.3, 0.2)))
@@ -139,18 +139,22 @@ class Streams(unittest.TestCase):
         self.compare(copies)
 
     def test_hooks(self):
-        world, plain = dam(), dam()
+        world, plain, host = dam(), dam(), dam("cpu")
 
         def push(view):
             with torch.cuda.stream(torch.cuda.ExternalStream(view.stream)):
                 torch.from_dlpack(view.velocities)[: view.particles, 0] += 3 * view.dt
 
+        def push_on_host(view):
+            np.from_dlpack(view.velocities)[: view.particles, 0] += 3 * view.dt
+
         world.add_hook("velocities_known", push)
-        for w in (world, plain):
+        host.add_hook("velocities_known", push_on_host)
+        for w in (world, plain, host):
             for _ in range(10):
                 w.step(0.001)
-        moved = world.velocities.mean(axis=0, dtype=float) - plain.velocities.mean(axis=0, dtype=float)
-        self.assertGreater(moved[0], 0.015)
+        unpushed, pushed, right = (w.velocities.mean(axis=0, dtype=float) for w in (plain, world, host))
+        self.assertLess(np.abs(pushed - right).max(), 0.1 * (pushed - unpushed)[0])
 
     def test_arrays_of_hooks(self):
         def look(view):
@@ -165,8 +169,9 @@ class Streams(unittest.TestCase):
 
         world, seen = dam(), []
         world.add_hook("solved", look)
-        world.step(0.001)
-        self.assertEqual(seen, [False, False])
+        world.step(0.001)  # two substeps, which are repeated where lists had too little room
+        self.assertEqual(set(seen), {False})
+        self.assertGreaterEqual(len(seen), 2)
         kept = []
         world.add_hook("solved", lambda view: kept.append(torch.from_dlpack(view.positions)))
         with self.assertRaisesRegex(ValueError, "keeps an array"):
