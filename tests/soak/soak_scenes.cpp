@@ -66,8 +66,9 @@ void fountain(SoakScene& scene) {
 }
 
 void tearing(SoakScene& scene) {
-  constexpr float edge = 0.04f, give = 0.25f * edge;  // the distance that two of its layers keep
-  scene.tank_of_cloth = SoftTank{{tank_lower, tank_upper}, give};
+  constexpr float edge = 0.04f, tear_strain = 0.3f;
+  // Torn pieces may be stuck through others, with a corner in the wall (docs/methods/tearing.md).
+  scene.tank_of_cloth = SoftTank{{tank_lower, tank_upper}, (1 + tear_strain) * edge};
   World& world = scene.world;
   const FluidId water = pool(world, 0);
   world.create_emitter(jet_down(water, {0, 1.4f, 0}, 0.12f, 3));
@@ -76,7 +77,7 @@ void tearing(SoakScene& scene) {
     if (step % (20 * second) != 0) return;
     if (cloth) w.destroy_cloth(*cloth);
     ClothDef def = sheet(20 * edge, 20 * edge, 21, 21, {0, 0.9f, 0});
-    def.fabric.tear_strain = 0.3f;
+    def.fabric.tear_strain = tear_strain;
     def.fabric.warp_stiffness = def.fabric.weft_stiffness = 600;
     cloth = w.create_cloth(def);
     w.create_attachment(attach(*cloth, {0, 20, 420, 440}));

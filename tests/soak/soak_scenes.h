@@ -26,8 +26,8 @@ struct SoakScene {
   std::function<void(World&, int step)> act;
   /// Particles that the user added, less those that he removed, since the last step.
   int64_t added_by_hand = 0;
-  /// A heap presses the vertices at its bottom into the wall, by less than the distance that two layers keep.
-  /// Without it none may be outside of the tank at all.
+  /// Pieces of torn cloth may reach into the wall by less than an edge when it tears. Without it none may be
+  /// outside of the tank at all.
   std::optional<SoftTank> tank_of_cloth{};
 };
 
