@@ -67,6 +67,7 @@ class RankExchange final : public GhostExchange {
   /// Notes which sorted particles are ghosts, or have ghosts on other ranks.
   void note_sorted(View<const Vec4> position, const GridView& grid, uint32_t owned, uint32_t ghosts);
   void refresh(void* values, uint32_t words) override;
+  void add_up(std::span<uint64_t> values) override { ranks_.add_up(values); }
 
  private:
   struct Layers {

@@ -6,6 +6,7 @@
 
 #include <meniscus/error.h>
 
+#include <algorithm>
 #include <exception>
 #include <string>
 #include <utility>
@@ -37,9 +38,9 @@ void check_contents(const WorldTables& world) {
   if (world.bodies.size()) refuse("bodies");
   if (world.cloths.size()) refuse("cloth");
   if (world.ropes.size()) refuse("ropes");
-  if (world.emitters.size()) refuse("emitters");
-  if (world.sinks.size()) refuse("sinks");
-  if (world.probes.size()) refuse("probes");
+  world.emitters.for_each([](uint32_t, const EmitterEntry& e) {
+    if (e.def.mode == EmitterMode::imposed) refuse("emitters with EmitterDef::mode = imposed");
+  });
   if (world.force_fields.size()) refuse("force fields");
 }
 
@@ -66,6 +67,7 @@ SharedWorld::SharedWorld(World& world, pbd::Ranks& ranks, const pbd::CutPolicy& 
         if (world_.device.kind == "cuda") ranks.use_gpu(world_.def.cuda_device.value_or(0));
         world_.with_all().share(ranks, policy);
         world_.shared_by = static_cast<uint32_t>(ranks.count());
+        if (!leads()) std::vector<ParticleId>().swap(world_.ids);  // rank 0 gives and removes them
         world_.state_changed();
       },
       "SharedWorld");
@@ -88,6 +90,33 @@ void SharedWorld::pause() {
   world_.engine->pause_following();
 }
 
+/// Rank 0 tells the others the ids of their particles.
+std::vector<ParticleId> SharedWorld::ids_of(const std::vector<uint32_t>& slots) const {
+  const std::vector<uint64_t> counts = pbd::values_of_all(ranks_, uint64_t{slots.size()});
+  std::vector<ParticleId> ids(slots.size());
+  if (!leads()) {
+    const pbd::Sent sent{0, slots.data(), slots.size() * sizeof(uint32_t)};
+    ranks_.exchange({&sent, 1}, {});
+    const pbd::Received received{0, ids.data(), ids.size() * sizeof(ParticleId)};
+    ranks_.exchange({}, {&received, 1});
+    return ids;
+  }
+  const auto look_up = [&](const std::vector<uint32_t>& from, std::vector<ParticleId>& to) {
+    std::transform(from.begin(), from.end(), to.begin(), [&](uint32_t slot) { return world_.ids[slot]; });
+  };
+  look_up(slots, ids);
+  for (int r = 1; r < ranks_.count(); ++r) {
+    std::vector<uint32_t> its_slots(counts[static_cast<size_t>(r)]);
+    const pbd::Received received{r, its_slots.data(), its_slots.size() * sizeof(uint32_t)};
+    ranks_.exchange({}, {&received, 1});
+    std::vector<ParticleId> its_ids(its_slots.size());
+    look_up(its_slots, its_ids);
+    const pbd::Sent sent{r, its_ids.data(), its_ids.size() * sizeof(ParticleId)};
+    ranks_.exchange({&sent, 1}, {});
+  }
+  return ids;
+}
+
 ParticlesOfRank SharedWorld::read_own_particles() {
   OwnParticles own = world_.run([&](auto) { return world_.engine->read_own_particles(); }, "follow");
   ParticlesOfRank particles{{},
@@ -96,7 +125,7 @@ ParticlesOfRank SharedWorld::read_own_particles() {
                             std::move(own.fluids),
                             std::move(own.density_errors),
                             std::move(own.pressures)};
-  for (const uint32_t slot : own.slots) particles.ids.push_back(world_.ids[slot]);
+  particles.ids = ids_of(own.slots);
   for (Vec3& p : particles.positions) p += world_.def.origin;
   return particles;
 }

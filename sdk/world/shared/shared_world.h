@@ -53,6 +53,8 @@ class SharedWorld {
   ParticlesOfRank read_own_particles();
 
  private:
+  std::vector<ParticleId> ids_of(const std::vector<uint32_t>& slots) const;
+
   World::Impl& world_;
   pbd::Ranks& ranks_;
 };

@@ -7,43 +7,19 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <functional>
 #include <map>
-#include <thread>
 #include <tuple>
 
-#include "sdk/world/shared/shared_world.h"
 #include "tests/expect_error.h"
 #include "tests/ranks/broken_dam.h"
 #include "tests/ranks/failing_ranks.h"
-#include "tests/ranks/thread_ranks.h"
+#include "tests/ranks/share.h"
 
 namespace meniscus::tests {
 namespace {
 
 constexpr float frame = 0.008f;               // s
 constexpr float wide = 0.3f, narrow = 0.15f;  // m
-
-/// Makes the same world on each rank. Calls lead(world) on rank 0, and returns the errors of the ranks.
-std::vector<std::string> share(int count, const pbd::CutPolicy& policy, const std::function<World()>& make,
-                               const std::function<void(World&)>& lead) {
-  const auto ranks = make_thread_ranks(count);
-  std::vector<std::string> errors(static_cast<size_t>(count));
-  const auto run = [&](int r) {
-    try {
-      World world = make();
-      SharedWorld shared(world, *ranks[static_cast<size_t>(r)], policy);
-      shared.leads() ? lead(world) : static_cast<void>(shared.follow());
-    } catch (const std::exception& error) {
-      errors[static_cast<size_t>(r)] = error.what();
-    }
-  };
-  std::vector<std::jthread> others;
-  for (int r = 1; r < count; ++r) others.emplace_back(run, r);
-  run(0);
-  others.clear();
-  return errors;
-}
 
 struct Result {
   std::vector<uint64_t> hashes;
@@ -101,7 +77,7 @@ TEST(SharedWorld, HasTheSameBitsOnOneTwoAndThreeRanks) {
 }
 
 TEST(SharedWorld, HasTheSameBitsWhereCutsMoveWithEveryStep) {
-  expect_equal(together(3, 20, {.every = 1, .most_imbalance = 0, .shift = 2}), alone(20));
+  expect_equal(together(3, 20, restless_cuts), alone(20));
 }
 
 /// MENISCUS_RANK_STEPS=7500 is a minute.
@@ -110,7 +86,7 @@ TEST(SharedWorld, KeepsEachParticleOnce) {
   const int steps = set ? std::atoi(set) : 60;
   std::vector<ParticleId> ids;
   const auto errors = share(
-      3, {.every = 1, .most_imbalance = 0, .shift = 2}, [] { return broken_dam(narrow); },
+      3, restless_cuts, [] { return broken_dam(narrow); },
       [&](World& world) {
         const std::size_t count = world.particle_count();
         for (int k = 0; k < steps; ++k) world.step(frame);
@@ -138,10 +114,11 @@ TEST(SharedWorld, RefusesByNameWhatItCannotHave) {
     body.pose.position = {0.3f, 2, 0.3f};
     world.create_body(body);
   });
-  refuses("no emitters", [](World& world) {
+  refuses("no emitters with EmitterDef::mode = imposed", [](World& world) {
     EmitterDef emitter;
     emitter.fluid = world.fluid_ids()[0];
     emitter.pose.position = {0.3f, 2, 0.3f};
+    emitter.mode = EmitterMode::imposed;
     world.create_emitter(emitter);
   });
   refuses("no fluids with FluidDef::dynamic_viscosity", [](World& world) {
@@ -151,17 +128,10 @@ TEST(SharedWorld, RefusesByNameWhatItCannotHave) {
   });
   refuses("no hooks", [](World& world) { world.add_hook(Hook::solved, [](const SubstepView&) {}); });
   refuses("no granular materials", [](World& world) { world.create_granular({}); });
-  refuses("no probes", [](World& world) { world.create_probe({}); });
   refuses("no ropes", [](World& world) {
     RopeDef rope;
     rope.points = {{0, 2, 0}, {0, 2.2f, 0}};
     world.create_rope(rope);
-  });
-  refuses("no sinks", [](World& world) {
-    SinkDef sink;
-    sink.region = BallRegion{0.1f};
-    sink.pose.position = {0, 5, 0};
-    world.create_sink(sink);
   });
   refuses("no force fields", [](World& world) {
     ForceFieldDef pull;
@@ -188,7 +158,7 @@ TEST(SharedWorld, GoesOnFromAFileAloneAndOnOtherRanks) {
   const std::string file = testing::TempDir() + "/shared.menisnap";
   uint64_t expected = 0;
   auto errors = share(
-      3, {.every = 1, .most_imbalance = 0, .shift = 2}, [] { return broken_dam(narrow); },
+      3, restless_cuts, [] { return broken_dam(narrow); },
       [&](World& world) {
         tests::run(world, 5, frame);
         world.save(file);
