@@ -85,7 +85,8 @@ class DeviceEngine final : public Engine {
         jets_(device_),
         pistons_(device_, density_),
         free_room_(device_, def.particle_spacing, def.solver.contact_radius) {
-    films_.set_fluid([this]() -> collision::FluidMultipliers {
+    films_.set_fluid([this](const pbd::Substep<D>& substep) -> collision::FluidMultipliers {
+      density_.refresh_multipliers(substep.ghosts);
       using Multiplier = fluid::density_kernels::Multiplier;
       return {&density_.multipliers().data->value, sizeof(Multiplier) / sizeof(float),
               def_.kernel.particle_volume};

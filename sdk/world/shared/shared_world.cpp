@@ -19,7 +19,7 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& what) {
   throw Error(ErrorCode::invalid_argument,
-              "a world that several ranks share has no " + what + "; it has fluids and fixed shapes");
+              "a world that several ranks share has no " + what + "; it has fluids, fixed shapes and bodies");
 }
 
 void check_solver(const WorldDef& def) {
@@ -35,13 +35,20 @@ void check_contents(const WorldTables& world) {
     if (m.grain.is_grain) refuse("granular materials");
     if (m.fluid.dynamic_viscosity > 0) refuse("fluids with FluidDef::dynamic_viscosity");
   });
-  if (world.bodies.size()) refuse("bodies");
   if (world.cloths.size()) refuse("cloth");
   if (world.ropes.size()) refuse("ropes");
   world.emitters.for_each([](uint32_t, const EmitterEntry& e) {
     if (e.def.mode == EmitterMode::imposed) refuse("emitters with EmitterDef::mode = imposed");
   });
   if (world.force_fields.size()) refuse("force fields");
+}
+
+void check_bodies(const WorldTables& world, const WorldDef& def) {
+  if (world.bodies.size() == 0) return;
+  if (def.sums != Sums::fixed)
+    throw Error(ErrorCode::invalid_argument,
+                "a world that several ranks share needs WorldDef::sums = fixed for its bodies, in scenes "
+                "\"sums\": \"fixed\"");
 }
 
 }  // namespace
@@ -52,6 +59,7 @@ void SharedWorld::check(const World& world) {
     throw Error(ErrorCode::invalid_argument,
                 "GPUs that share a world need WorldDef::sums = fixed, in scenes \"sums\": \"fixed\"");
   check_solver(impl.def);
+  check_bodies(impl, impl.def);
   check_contents(impl);
   if (!impl.hooks.empty()) refuse("hooks");
   if (impl.recorder) refuse("recording");

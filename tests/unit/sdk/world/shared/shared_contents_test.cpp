@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Emitters, sinks and probes of a world on several ranks: the same bits as alone.
+// Emitters, sinks, probes and bodies of a world on several ranks: the same bits as alone.
 #include <gtest/gtest.h>
 
+#include "tests/ranks/bodies.h"
 #include "tests/ranks/broken_dam.h"
 #include "tests/ranks/flow.h"
 #include "tests/ranks/share.h"
@@ -24,6 +25,24 @@ World dam_with_flow() {
   return world;
 }
 
+World dam_with_bodies() {
+  World world = dam();
+  add_bodies(world, width, length);
+  return world;
+}
+
+World dam_with_bodies_on_device() {
+  World world = broken_dam(width, length, true, {}, true, RigidSolver::device);
+  add_bodies(world, width, length);
+  return world;
+}
+
+World dam_with_all() {
+  World world = dam_with_flow();
+  add_bodies(world, width, length);
+  return world;
+}
+
 /// What a world tells after each fifth step.
 std::vector<std::string> told(World& world, int steps) {
   std::vector<std::string> all;
@@ -32,6 +51,7 @@ std::vector<std::string> told(World& world, int steps) {
     if (k % 5 != 4) continue;
     all.push_back(std::to_string(world.state_hash()));
     all.push_back(told_by_flow(world));
+    all.push_back(told_by_bodies(world));
   }
   return all;
 }
@@ -55,18 +75,27 @@ TEST(SharedContents, EmittersSinksAndProbesHaveTheSameBits) {
   expect_the_same(dam_with_flow, 20);
 }
 
-TEST(SharedContents, FlowIsThereInTheTest) {
-  World world = dam_with_flow();
+TEST(SharedContents, BodiesHaveTheSameBits) {
+  expect_the_same(dam_with_bodies, 15);
+}
+
+TEST(SharedContents, BodiesOfTheDeviceHaveTheSameBits) {
+  expect_the_same(dam_with_bodies_on_device, 10);
+}
+
+TEST(SharedContents, FlowAndBodiesAreThereInTheTest) {
+  World world = dam_with_all();
   tests::run(world, 20, frame);
   for (const EmitterId id : world.emitter_ids()) EXPECT_GT(world.emitter_count(id).total, 0u);
   for (const SinkId id : world.sink_ids()) EXPECT_GT(world.sink_count(id).total, 0u);
   for (const ProbeId id : world.probe_ids()) EXPECT_NE(world.probe(id), 0);
+  for (const BodyId id : world.body_ids()) EXPECT_NE(world.body_state(id).fluid_force.y, 0);
 }
 
 TEST(SharedContents, GoOnFromAFileAloneAndOnOtherRanks) {
   const std::string file = testing::TempDir() + "/shared_contents.menisnap";
   std::vector<std::string> expected;
-  auto errors = share(3, restless_cuts, dam_with_flow, [&](World& world) {
+  auto errors = share(3, restless_cuts, dam_with_all, [&](World& world) {
     tests::run(world, 12, frame);
     world.save(file);
     expected = told(world, 10);
@@ -114,6 +143,42 @@ TEST(SharedContents, EachRankKnowsTheIdsOfItsParticles) {
     }
   }
   EXPECT_EQ(found, ids.size());
+}
+
+/// Water of the size of a grain has little mass, so what moves coarse particles is beyond its sums.
+TEST(SharedContents, ForcesBeyondTheSumsAreReported) {
+  const auto errors = share(
+      3, {},
+      [] {
+        World world = dam();
+        BodyDef grain;
+        grain.motion = BodyMotion::kinematic;
+        grain.geometry = SphereGeometry{1e-3f};
+        grain.keyframes = {{0, {{0.5f * width, 0.9f, 0.5f}}}, {0.1f, {{0.5f * width, 0.1f, 0.5f}}}};
+        world.create_body(grain);
+        return world;
+      },
+      [](World& world) { tests::run(world, 12, frame); });
+  for (const std::string& error : errors)
+    EXPECT_NE(error.find("a particle pushes body 0 harder than sums over ranks have room for"),
+              std::string::npos)
+        << error;
+}
+
+TEST(SharedContents, DropsThatMeetOnABodyKeepMomentum) {
+  const auto errors = share(
+      3, {}, [] { return free_drops(true); },
+      [](World& world) {
+        const Momentum before = momentum_of(world);
+        tests::run(world, 100, frame);
+        const Momentum after = momentum_of(world);
+        EXPECT_NE(world.body_state(world.body_ids()[0]).velocity.x, 0);
+        const double scale = after.mass * double{drop_speed};
+        EXPECT_NEAR(after.x, before.x, 1e-6 * scale);
+        EXPECT_NEAR(after.y, before.y, 1e-6 * scale);
+        EXPECT_NEAR(after.z, before.z, 1e-6 * scale);
+      });
+  for (const std::string& error : errors) EXPECT_EQ(error, "");
 }
 
 }  // namespace

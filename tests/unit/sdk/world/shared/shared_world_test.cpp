@@ -109,7 +109,7 @@ TEST(SharedWorld, RefusesByNameWhatItCannotHave) {
     expect_error(ErrorCode::invalid_argument, named, [&] { SharedWorld(world, *ranks[0]); });
     EXPECT_NO_THROW(world.step(frame));
   };
-  refuses("no bodies", [](World& world) {
+  refuses("needs WorldDef::sums = fixed for its bodies", [](World& world) {
     BodyDef body;
     body.pose.position = {0.3f, 2, 0.3f};
     world.create_body(body);
