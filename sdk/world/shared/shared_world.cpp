@@ -73,7 +73,9 @@ SharedWorld::SharedWorld(World& world, pbd::Ranks& ranks, const pbd::CutPolicy& 
       [&](auto) {
         check(world);
         if (world_.device.kind == "cuda") ranks.use_gpu(world_.def.cuda_device.value_or(0));
-        world_.with_all().share(ranks, policy);
+        pbd::CutPolicy own = policy;
+        own.expects_more |= world_.emitters.size() > 0;
+        world_.with_all().share(ranks, own);
         world_.shared_by = static_cast<uint32_t>(ranks.count());
         if (!leads()) std::vector<ParticleId>().swap(world_.ids);  // rank 0 gives and removes them
         world_.state_changed();

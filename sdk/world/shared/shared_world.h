@@ -33,7 +33,8 @@ class SharedWorld {
   /// Throws Error(invalid_argument) and names what the world has and a shared one cannot have.
   static void check(const World& world);
 
-  /// check() comes first. Throws Error(capacity) if the fluid has fewer than 3 layers of cells a rank.
+  /// check() comes first. Throws Error(capacity) if the fluid has fewer than 3 layers of cells a rank, and no
+  /// emitter makes more.
   /// `world` may be moved meanwhile. It and `ranks` must outlive this.
   SharedWorld(World& world, pbd::Ranks& ranks, const pbd::CutPolicy& policy = {});
   /// On rank 0: ends the others' follow().
