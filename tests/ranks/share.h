@@ -4,13 +4,17 @@
 // Runs a shared world on ranks that are threads.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <functional>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "sdk/world/shared/shared_world.h"
+#include "tests/ranks/failing_ranks.h"
 #include "tests/ranks/thread_ranks.h"
+#include "tests/worlds.h"
 
 namespace meniscus::tests {
 
@@ -36,6 +40,32 @@ inline std::vector<std::string> share(int count, const pbd::CutPolicy& policy,
   run(0);
   others.clear();
   return errors;
+}
+
+/// Rank 1 of 3 fails at that call of its transport, within so many steps. All ranks end, and all errors name
+/// it or are its own.
+inline void expect_failure_to_end_all(const std::function<World()>& make, int call, int steps) {
+  SCOPED_TRACE(call);
+  const auto ranks = make_thread_ranks(3);
+  std::vector<std::string> errors(3);
+  const auto run_rank = [&](int r) {
+    FailingRanks failing(*ranks[static_cast<size_t>(r)], r == 1 ? call : 0,
+                         [] { throw Error(ErrorCode::device, "the test has cut the line"); });
+    try {
+      World world = make();
+      SharedWorld shared(world, failing);
+      shared.leads() ? run(world, steps, 0.008f) : static_cast<void>(shared.follow());
+    } catch (const std::exception& error) {
+      errors[static_cast<size_t>(r)] = error.what();
+    }
+  };
+  {
+    std::jthread first(run_rank, 1), second(run_rank, 2);
+    run_rank(0);
+  }
+  EXPECT_NE(errors[0].find("rank 1 failed: the test has cut the line"), std::string::npos) << errors[0];
+  EXPECT_NE(errors[1].find("the test has cut the line"), std::string::npos) << errors[1];
+  EXPECT_NE(errors[2].find("rank 1 failed: the test has cut the line"), std::string::npos) << errors[2];
 }
 
 }  // namespace meniscus::tests

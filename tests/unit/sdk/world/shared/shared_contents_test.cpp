@@ -163,6 +163,11 @@ TEST(SharedContents, EachRankKnowsTheIdsOfItsParticles) {
   EXPECT_EQ(found, ids.size());
 }
 
+/// In the middle of steps, sums over bodies, emission and removal.
+TEST(SharedContents, AFailureOfOneRankEndsAll) {
+  for (int call = 40; call < 400; call += 31) expect_failure_to_end_all(dam_with_all, call, 10);
+}
+
 /// Water of the size of a grain has little mass, so what moves coarse particles is beyond its sums.
 TEST(SharedContents, ForcesBeyondTheSumsAreReported) {
   const auto errors = share(

@@ -12,7 +12,6 @@
 
 #include "tests/expect_error.h"
 #include "tests/ranks/broken_dam.h"
-#include "tests/ranks/failing_ranks.h"
 #include "tests/ranks/share.h"
 
 namespace meniscus::tests {
@@ -234,31 +233,9 @@ TEST(SharedWorld, NeedsThreeLayersARank) {
     EXPECT_NE(error.find("8 ranks need 3 each"), std::string::npos) << error;
 }
 
-/// A rank fails at call after call of its transport. All ranks end, and all errors name it or are its own.
 TEST(SharedWorld, AFailureOfOneRankEndsAll) {
-  for (int call = 1; call < 40; call += 3) {
-    SCOPED_TRACE(call);
-    const auto ranks = make_thread_ranks(3);
-    std::vector<std::string> errors(3);
-    const auto run = [&](int r) {
-      FailingRanks failing(*ranks[static_cast<size_t>(r)], r == 1 ? call : 0,
-                           [] { throw Error(ErrorCode::device, "the test has cut the line"); });
-      try {
-        World world = broken_dam(narrow);
-        SharedWorld shared(world, failing);
-        shared.leads() ? tests::run(world, 5, frame) : static_cast<void>(shared.follow());
-      } catch (const std::exception& error) {
-        errors[static_cast<size_t>(r)] = error.what();
-      }
-    };
-    {
-      std::jthread first(run, 1), second(run, 2);
-      run(0);
-    }
-    EXPECT_NE(errors[0].find("rank 1 failed: the test has cut the line"), std::string::npos) << errors[0];
-    EXPECT_NE(errors[1].find("the test has cut the line"), std::string::npos) << errors[1];
-    EXPECT_NE(errors[2].find("rank 1 failed: the test has cut the line"), std::string::npos) << errors[2];
-  }
+  for (int call = 1; call < 40; call += 3)
+    expect_failure_to_end_all([] { return broken_dam(narrow); }, call, 5);
 }
 
 }  // namespace
