@@ -4,6 +4,8 @@
 // Ghost particles as constraint sets see them: copies that neighbours read, and how to refresh them.
 #pragma once
 
+#include <span>
+
 #include "pbd/contacts.h"
 #include "pbd/device/base/view.h"
 #include "pbd/math/vec.h"
@@ -22,6 +24,8 @@ class GhostExchange {
   virtual ~GhostExchange() = default;
   /// Fetches the values of all ghosts, of so many 32-bit words each.
   virtual void refresh(void* values, uint32_t words) = 0;
+  /// Element by element, over all ranks, on the host. All ranks call it.
+  virtual void add_up(std::span<uint64_t> values) = 0;
 };
 
 struct GhostView {

@@ -59,6 +59,11 @@ struct GridView {
     return !is_slab() || static_cast<uint32_t>(layer(c)) - first_layer + 1 <= last_layer + 2;
   }
 
+  /// Whether the slab contains a cell, without the layers of ghosts.
+  MENISCUS_HD bool owns(CellCoordinates c) const {
+    return static_cast<uint32_t>(layer(c)) - first_layer <= last_layer;
+  }
+
   MENISCUS_HD CellCoordinates coordinates(Vec3 p) const {
     // The clamp keeps the conversion defined for any float, NaN included.
     constexpr float limit = 1e9f;

@@ -147,19 +147,29 @@ class Particles {
     write_sentinels();
   }
 
-  /// Adds fluid particles before the vertices. They get the next numbers.
+  /// The numbers of the next particles.
+  std::vector<uint32_t> take_numbers(uint32_t count) {
+    std::vector<uint32_t> numbers(count);
+    for (uint32_t k = 0; k < count; ++k) numbers[k] = (next_number_ + k) % vertex_slot;
+    next_number_ += count;
+    return numbers;
+  }
+  /// Adds fluid particles before the vertices. They get the next numbers, or these.
   void append(std::span<const Vec4> new_position, std::span<const Vec4> new_velocity,
               std::span<const Phase> new_phase, std::span<const uint32_t> new_slot) {
     const auto added = static_cast<uint32_t>(new_position.size());
-    std::vector<uint32_t> new_number(added);
-    for (uint32_t k = 0; k < added; ++k) new_number[k] = (next_number_ + k) % vertex_slot;
+    append(new_position, new_velocity, new_phase, new_slot, take_numbers(added));
+  }
+  void append(std::span<const Vec4> new_position, std::span<const Vec4> new_velocity,
+              std::span<const Phase> new_phase, std::span<const uint32_t> new_slot,
+              std::span<const uint32_t> new_number) {
+    const auto added = static_cast<uint32_t>(new_position.size());
     move_vertices(sorted_ + added);
     position.current.write(new_position, sorted_);
     velocity.current.write(new_velocity, sorted_);
     phase.current.write(new_phase, sorted_);
     slot.current.write(new_slot, sorted_);
     number.current.write(new_number, sorted_);
-    next_number_ += added;
     set_sorted(sorted_ + added);
   }
 

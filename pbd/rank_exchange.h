@@ -21,6 +21,7 @@ struct CutPolicy {
   int every = 16;                ///< steps between two looks
   double most_imbalance = 1.05;  ///< see Slabs::imbalance
   int32_t shift = 0;             ///< layers by which the cuts move to and fro with each look
+  bool expects_more = false;     ///< particles come: at first there may be fewer layers than the ranks need
 };
 
 /// A particle and what is to be done with it: see RankExchange::select.
@@ -67,6 +68,7 @@ class RankExchange final : public GhostExchange {
   /// Notes which sorted particles are ghosts, or have ghosts on other ranks.
   void note_sorted(View<const Vec4> position, const GridView& grid, uint32_t owned, uint32_t ghosts);
   void refresh(void* values, uint32_t words) override;
+  void add_up(std::span<uint64_t> values) override { ranks_.add_up(values); }
 
  private:
   struct Layers {
@@ -76,6 +78,7 @@ class RankExchange final : public GhostExchange {
   /// The tags that tags.for_each(i, visit) gives to each i below count, in order.
   template <class Tags>
   std::vector<Selected> select(uint32_t count, const Tags& tags);
+  size_t least_layers() const { return size_t{Slabs::least_layers} * static_cast<size_t>(ranks_.count()); }
   Layers count_layers(const ParticleView& particles, const GridView& grid, const Aabb& extent);
   void exchange(std::span<const Sent> sent, std::span<const Received> received);
   void pack(const WordArray& from, View<const uint32_t> list, uint32_t* to);

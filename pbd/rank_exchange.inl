@@ -67,7 +67,12 @@ int32_t RankExchange<D>::layers_within(const GridView& grid, const Aabb& extent)
 
 template <class D>
 void RankExchange<D>::cut_all(const ParticleView& particles, const GridView& grid, const Aabb& extent) {
-  const Layers layers = count_layers(particles, grid, extent);
+  Layers layers = count_layers(particles, grid, extent);
+  if (policy_.expects_more) {
+    const bool is_empty = !(extent.lower.z <= extent.upper.z);
+    if (is_empty) layers.first = 0;
+    layers.counts.resize(std::max(layers.counts.size(), least_layers()));
+  }
   slabs_ = even_slabs_ = Slabs(layers.first, layers.counts, ranks_.count());
 }
 
@@ -76,8 +81,7 @@ void RankExchange<D>::balance(const ParticleView& particles, const GridView& gri
   if (steps_++ % policy_.every != 0 || !(extent.lower.z <= extent.upper.z)) return;
   Layers layers = count_layers(particles, grid, extent);
   ranks_.add_up(layers.counts);
-  const bool has_room =
-      layers.counts.size() >= size_t{Slabs::least_layers} * static_cast<size_t>(ranks_.count());
+  const bool has_room = layers.counts.size() >= least_layers();
   if (has_room && even_slabs_.imbalance(layers.first, layers.counts) > policy_.most_imbalance)
     even_slabs_ = Slabs(layers.first, layers.counts, ranks_.count());
   slabs_ = even_slabs_.moved(++looks_ % 2 ? policy_.shift : 0);

@@ -38,6 +38,21 @@ struct PickBySlot {
   }
 };
 
+/// Where `gone` has the slots that are removed everywhere, ascending.
+struct CloseUp {
+  View<const uint32_t> gone;
+  View<uint32_t> slot;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    uint32_t first = 0, end = gone.count;  // of those that are not below slot[i]
+    while (first < end) {
+      const uint32_t middle = first + (end - first) / 2;
+      gone[middle] < slot[i] ? first = middle + 1 : end = middle;
+    }
+    slot[i] -= first;
+  }
+};
+
 struct Renumber {
   View<const uint32_t> new_slot;
   View<uint32_t> slot;
@@ -86,14 +101,35 @@ class Removal {
   /// elsewhere. Writes keep() by slot, as it was before, to `by_slot`.
   template <class Reorder>
   void apply(Particles& particles, uint32_t kept, std::span<uint32_t> by_slot, const Reorder& reorder) {
-    const uint32_t n = particles.count(), fluid = particles.sorted(), stay = kept + particles.vertices();
+    const uint32_t n = particles.count(), fluid = particles.sorted();
     using namespace removal_kernels;
     View<uint32_t> slot = particles.slot.current.view();
     device_.parallel_for("removal/slots", n, SpreadBySlot{keep_.view(), slot, keep_by_slot_.view()});
     device_.exclusive_scan("removal/slot offsets", View<const uint32_t>(keep_by_slot_.view().first(fluid)),
                            slot_offset_.view());
     device_.parallel_for("removal/renumber", n, Renumber{slot_offset_.view(), slot});
-    device_.parallel_for("removal/order", n, ScatterOrder{keep_.view(), offset_.view(), order_.view()});
+    compact(particles, kept, reorder);
+    keep_by_slot_.read(by_slot.first(fluid));
+  }
+
+  /// The same for the particles of one rank. `gone`: the slots that are removed on all ranks, ascending.
+  template <class Reorder>
+  void apply_among_ranks(Particles& particles, uint32_t kept, std::span<const uint32_t> gone,
+                         const Reorder& reorder) {
+    Buffer<uint32_t> all(device_, "removed slots");
+    all.resize_discard(gone.size());
+    all.write(gone);
+    device_.parallel_for("removal/close up", particles.sorted(),
+                         removal_kernels::CloseUp{all.view(), particles.slot.current.view()});
+    if (kept < particles.sorted()) compact(particles, kept, reorder);
+  }
+
+ private:
+  template <class Reorder>
+  void compact(Particles& particles, uint32_t kept, const Reorder& reorder) {
+    const uint32_t n = particles.count(), stay = kept + particles.vertices();
+    device_.parallel_for("removal/order", n,
+                         removal_kernels::ScatterOrder{keep_.view(), offset_.view(), order_.view()});
     const View<const uint32_t> order = order_.view();
     gather_in_order(device_, "removal/positions", particles.position, order, stay);
     gather_in_order(device_, "removal/velocities", particles.velocity, order, stay);
@@ -102,10 +138,8 @@ class Removal {
     gather_in_order(device_, "removal/numbers", particles.number, order, stay);
     reorder(order, kept);
     particles.set_sorted(kept);
-    keep_by_slot_.read(by_slot.first(fluid));
   }
 
- private:
   void allocate() {
     for (Buffer<uint32_t>* b : {&keep_, &keep_by_slot_, &order_}) b->resize_discard(capacity_);
     offset_.resize_discard(capacity_ + 1);

@@ -135,6 +135,12 @@ class Solver {
   /// must be no vertices.
   void share(Ranks& ranks, const CutPolicy& policy);
   bool is_shared() const { return exchange_.has_value(); }
+  /// Whether a new particle at p belongs to this rank.
+  bool owns(Vec3 p) const { return search_.grid().owns(search_.grid().coordinates(p)); }
+  /// Makes room for so many more on this rank.
+  void reserve_own(uint32_t more);
+  /// Notes how many particles all ranks have, after some were added or removed.
+  void set_all_particles(uint32_t count) { all_particles_ = count; }
 
   /// The state of the particles. Makes the room that they had. The sets have visits of their own.
   void visit_state(StateVisitor& v);

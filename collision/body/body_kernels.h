@@ -128,6 +128,15 @@ struct FindGroups {
   }
 };
 
+/// How many contacts of each kind a body has.
+struct GroupCounts {
+  uint32_t free, unyielding, attached;
+
+  MENISCUS_HD static GroupCounts of(const BodyProxy& body) {
+    return {body.unyielding - body.first, body.attached - body.unyielding, body.end - body.attached};
+  }
+};
+
 /// Gives each contact its lever arm and its fraction of the body (mass splitting, Tonge, Benevolenski &
 /// Voroshilov 2012). The body is treated as if it were as many bodies as it has contacts, each with that part
 /// of the mass. Then all contacts together move the body no further than it can go. If some particles cannot
@@ -138,6 +147,7 @@ struct Split {
   View<const BodyProxy> bodies;
   View<const pbd::Vec4> position;
   ContactView contacts;
+  View<const GroupCounts> counts{};  ///< by body, where ranks share the contacts
 
   MENISCUS_HD void operator()(uint32_t k) const {
     if (k >= contacts.total()) return;
@@ -146,10 +156,10 @@ struct Split {
     if (c.body >= bodies.count || is_attachment(c)) return;
     const BodyProxy& body = bodies[c.body];
     const float distance = plane_distance(c, position[contacts.particle[n]].xyz());
-    const uint32_t free = body.unyielding - body.first, unyielding = body.attached - body.unyielding;
-    const uint32_t alike = k < body.unyielding ? free : unyielding,
-                   kinds = free > 0 && unyielding > 0 ? 2 : 1;
-    const float fraction = static_cast<float>(alike * kinds * (body.attached < body.end ? 2 : 1));
+    const GroupCounts all = counts.count ? counts[c.body] : GroupCounts::of(body);
+    const uint32_t alike = k < body.unyielding ? all.free : all.unyielding,
+                   kinds = all.free > 0 && all.unyielding > 0 ? 2 : 1;
+    const float fraction = static_cast<float>(alike * kinds * (all.attached > 0 ? 2 : 1));
     c.arm = c.point + pbd::max(distance, c.radius) * c.normal - body.pose.position;
     c.body_inverse_mass += fraction * inverse_mass_at(body, c.arm, c.normal);
   }

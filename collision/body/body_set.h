@@ -30,6 +30,9 @@ namespace meniscus::collision {
 ///   exchange  transfers them to Bullet, which advances. Its poses are authoritative. A particle that ends on
 ///             the wrong side, because another body stopped its body, is rolled back.
 ///
+/// In a world that ranks share, all ranks have all bodies. Each has the contacts of its own particles. They
+/// add up how many there are and what they do to bodies, as integers. So all advance the same rigid world.
+///
 /// Particles and bodies exchange equal and opposite impulses at one point. So linear momentum is conserved to
 /// rounding, and angular momentum to the order of the substep.
 template <class D>
@@ -112,6 +115,8 @@ class BodySet final : public pbd::ConstraintSet<D> {
 
  private:
   void sum_contacts(pbd::Substep<D>& substep);
+  void count_over_ranks(pbd::GhostExchange& ranks);
+  void add_over_ranks(pbd::GhostExchange& ranks);
   void predict_motions(float dt);
   void predict_among_solids(float dt);
   template <class Place>
@@ -152,7 +157,9 @@ class BodySet final : public pbd::ConstraintSet<D> {
   pbd::View<Shape> shapes_;
   pbd::View<const RigidImpulse> loads_;
   pbd::Buffer<body_kernels::ContactSum> partial_{device_, "body sums"};
-  pbd::Buffer<body_kernels::IntegerSum> integer_sums_{device_, "body sums"};  // of fixed sums alone
+  pbd::Buffer<body_kernels::IntegerSum> integer_sums_{device_, "body sums"};      // of fixed sums alone
+  pbd::Buffer<body_kernels::IntegerSum> totals_{device_, "body sums"};            // of a shared world
+  pbd::Buffer<body_kernels::GroupCounts> counts_{device_, "contacts of bodies"};  // likewise
   pbd::Buffer<body_kernels::ContactSum> zone_impulses_{device_, "impulses of body zones"};
   pbd::DoubleBuffer<body_kernels::ContactMotion> contact_motion_{device_, "body displacements"};
   pbd::Buffer<uint32_t> key_{device_, "contact bodies"};

@@ -9,6 +9,7 @@
 #include <chrono>
 
 #include "collision/body/body_set.h"
+#include "collision/body/over_ranks.inl"
 
 namespace meniscus::collision {
 
@@ -149,8 +150,10 @@ void BodySet<D>::begin(pbd::Substep<D>& substep) {
   device_.sort_pairs("bodies/group", key_.view(), sorted_key_.view(), number_.view(), grouped_.view(),
                      static_cast<uint32_t>(std::bit_width(contact_kinds * bodies_)));
   device_.parallel_for("bodies/groups", room, FindGroups{sorted_key_.view(), proxies_.view()});
-  device_.parallel_for("bodies/split", room,
-                       Split{grouped_.view(), proxies_.view(), substep.particles.position, contacts});
+  if (substep.ghosts.exchange) count_over_ranks(*substep.ghosts.exchange);
+  device_.parallel_for(
+      "bodies/split", room,
+      Split{grouped_.view(), proxies_.view(), substep.particles.position, contacts, counts_.view()});
 }
 
 template <class D>
@@ -160,9 +163,10 @@ void BodySet<D>::sum_contacts(pbd::Substep<D>& substep) {
     device_.parallel_for("bodies/sum", bodies_ * lanes(),
                          SumLanesInIntegers{grouped_.view(), proxies_.view(), reaches_.view(),
                                             substep.contacts.contacts, integer_sums_.view(), lanes()});
+    if (substep.ghosts.exchange) return add_over_ranks(*substep.ghosts.exchange);
     device_.parallel_for(
         "bodies/fold", bodies_,
-        FoldLanes{proxies_.view(), reaches_.view(), integer_sums_.view(), partial_.view(), lanes()});
+        FoldLanes{proxies_.view(), reaches_.view(), integer_sums_.view(), partial_.view(), lanes(), lanes()});
     return;
   }
   device_.parallel_for(

@@ -13,12 +13,22 @@ namespace meniscus::collision::body_kernels {
 /// A ContactSum in a body's units.
 struct IntegerSum {
   int64_t push[3], twist[3];
+  uint64_t overflows;  ///< how often a value or a sum had no room
 
   MENISCUS_HD void add(const IntegerSum& other) {
+    overflows += other.overflows;
     for (int k = 0; k < 3; ++k) {
-      push[k] += other.push[k];
-      twist[k] += other.twist[k];
+      push[k] = sum_of(push[k], other.push[k]);
+      twist[k] = sum_of(twist[k], other.twist[k]);
     }
+  }
+
+ private:
+  /// Wraps around where it overflows, and notes that.
+  MENISCUS_HD int64_t sum_of(int64_t a, int64_t b) {
+    const uint64_t x = static_cast<uint64_t>(a), y = static_cast<uint64_t>(b), sum = x + y;
+    overflows += ((x ^ sum) & (y ^ sum)) >> 63;
+    return static_cast<int64_t>(sum);
   }
 };
 
@@ -69,8 +79,30 @@ struct SumLanesInIntegers {
   MENISCUS_HD static IntegerSum in_units(Vec3 push, Vec3 twist, const SumUnits& unit) {
     const Vec3 p = (1 / unit.push) * push, t = (1 / unit.twist) * twist;
     return {{pbd::whole_units(p.x), pbd::whole_units(p.y), pbd::whole_units(p.z)},
-            {pbd::whole_units(t.x), pbd::whole_units(t.y), pbd::whole_units(t.z)}};
+            {pbd::whole_units(t.x), pbd::whole_units(t.y), pbd::whole_units(t.z)},
+            beyond(p) + beyond(t)};
   }
+  /// What whole_units() cuts off. Values that are not finite fail the step in another way.
+  MENISCUS_HD static uint64_t beyond(Vec3 v) {
+    constexpr float most = 0x1p52f;
+    return fabsf(v.x) >= most || fabsf(v.y) >= most || fabsf(v.z) >= most;
+  }
+};
+
+/// A body's sum in integers.
+MENISCUS_HD inline IntegerSum total_of(View<const IntegerSum> partial, uint32_t body, uint32_t parts) {
+  IntegerSum sum{};
+  for (uint32_t k = 0; k < parts; ++k) sum.add(partial[body * parts + k]);
+  return sum;
+}
+
+/// Writes it alone, for the ranks of a shared world.
+struct AddLanes {
+  View<const IntegerSum> from;
+  View<IntegerSum> totals;
+  uint32_t lanes;
+
+  MENISCUS_HD void operator()(uint32_t b) const { totals[b] = total_of(from, b, lanes); }
 };
 
 /// Writes a body's sum to the first of its lanes, and 0 to the others.
@@ -79,14 +111,11 @@ struct FoldLanes {
   View<const float> reaches;
   View<const IntegerSum> from;
   View<ContactSum> to;
-  uint32_t lanes;
+  uint32_t parts, lanes;  ///< of a body, in `from` and `to`
 
   MENISCUS_HD void operator()(uint32_t b) const {
-    IntegerSum sum{};
-    for (uint32_t k = 0; k < lanes; ++k) {
-      sum.add(from[b * lanes + k]);
-      to[b * lanes + k] = {};
-    }
+    const IntegerSum sum = total_of(from, b, parts);
+    for (uint32_t k = 0; k < lanes; ++k) to[b * lanes + k] = {};
     const SumUnits unit = units_of(bodies[b], reaches[b]);
     to[b * lanes].add(vector(sum.push, unit.push), vector(sum.twist, unit.twist));
   }

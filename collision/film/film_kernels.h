@@ -79,6 +79,8 @@ struct Fluid {
   float to_pressure;
   WorldGravity gravity;
 
+  /// Whether this rank has all particles near p.
+  MENISCUS_HD bool is_own(Vec3 p) const { return grid.owns(grid.coordinates(p)); }
   MENISCUS_HD float pressure(uint32_t i) const { return to_pressure * multiplier[size_t{stride} * i]; }
   /// Calls visit(particle, its position) for each particle near p that the solid of a body collides with.
   template <class Visit>
@@ -212,7 +214,7 @@ struct Window {
 };
 
 /// Finds how much of each exposed triangle is wet, for bodies with films. A gap in which particles do not fit
-/// well counts as wet.
+/// well counts as wet. Where ranks share the fluid, each looks at what is in its own slab.
 struct FindWetFaces {
   Surfaces surfaces;
   ShapeSet set;
@@ -231,6 +233,7 @@ struct FindWetFaces {
       return;
     }
     const Vec3 x = centre[n].xyz(), normal = rotate(surfaces.proxies[t.body].pose.rotation, t.area);
+    if (!fluid.is_own(x)) return;
     const Window window(lengths);
     float weight = 0;
     fluid.for_each_near(x, set.shapes[t.shape],
@@ -239,8 +242,8 @@ struct FindWetFaces {
   }
 };
 
-/// Finds the pressure beside each vertex of a film that is open there. `has_film`: by body, whether a film of
-/// it is wet.
+/// Finds the pressure beside each vertex of a film that is open there, if that is in the rank's slab.
+/// `has_film`: by body, whether a film of it is wet.
 struct FindRims {
   Surfaces surfaces;
   ShapeSet set;
@@ -281,6 +284,7 @@ struct FindRims {
   /// than `wet`. The pressure fades with that.
   MENISCUS_HD void look(uint32_t v, Vec3 x, Vec3 outwards, Vec3 facing, const Shape& solid,
                         const Shape& other) const {
+    if (!fluid.is_own(x)) return;
     const Window window(lengths);
     const Vec3 gravity = fluid.gravity.of(solid.body);
     float weight = 0, pressure = 0, density = 0;

@@ -28,15 +28,17 @@ struct FluidMultipliers {
 ///   ∇·(g³ ∇(p − ρ g·x)) = 0, with p of the fluid or the air beside it at the rim.
 ///
 /// It follows from the gaps and the multipliers of a substep alone. The loads go to BodySet as impulses. So
-/// this set must stand before it.
+/// this set must stand before it. Where ranks share the world, each looks at the fluid in its slab. What they
+/// see is merged, and all solve the same equations.
 template <class D>
 class FilmSet final : public pbd::ConstraintSet<D> {
  public:
   FilmSet(D& device, const film_kernels::Lengths& lengths, ShapeContacts<D>& contacts, BodySet<D>& bodies)
       : device_(device), lengths_(lengths), contacts_(contacts), bodies_(bodies), candidates_(device) {}
 
-  /// Where the multipliers are is asked for in each substep.
-  void set_fluid(std::function<FluidMultipliers()> multipliers) { multipliers_ = std::move(multipliers); }
+  /// Where the multipliers are is asked for in each substep. Those of ghosts must be fresh then.
+  using FindMultipliers = std::function<FluidMultipliers(const pbd::Substep<D>&)>;
+  void set_fluid(FindMultipliers multipliers) { multipliers_ = std::move(multipliers); }
   /// The parts of bodies; see join_film_parts. Must be called when shapes or bodies change. Fixed shapes come
   /// first. Of several worlds, bodies and parts come world after world.
   void set_parts(std::span<const FilmPart> parts, uint32_t bodies, std::span<const Shape> shapes,
@@ -58,13 +60,16 @@ class FilmSet final : public pbd::ConstraintSet<D> {
   film_kernels::WorldGravity gravity(const pbd::Substep<D>& substep) const;
   uint32_t of_world() const { return static_cast<uint32_t>(all_.bodies.size()) / worlds_; }  // bodies
   film_kernels::Fluid fluid(const pbd::Substep<D>& substep) const;
+  void merge_rims(pbd::GhostExchange& ranks);
+  void merge_wet_faces(pbd::GhostExchange& ranks);
+  void merge_particle_loads(pbd::GhostExchange& ranks);
 
   D& device_;
   film_kernels::Lengths lengths_;
   ShapeContacts<D>& contacts_;
   BodySet<D>& bodies_;
   Candidates candidates_;
-  std::function<FluidMultipliers()> multipliers_;
+  FindMultipliers multipliers_;
   FilmSurfaces all_;
   FilmNearness nearness_;
   bool has_fluid_ = false, is_on_device_ = true;

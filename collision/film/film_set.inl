@@ -5,6 +5,7 @@
 #pragma once
 
 #include "collision/film/film_set.h"
+#include "collision/film/over_ranks.inl"
 
 namespace meniscus::collision {
 
@@ -96,7 +97,7 @@ film_kernels::Surfaces FilmSet<D>::surfaces() const {
 
 template <class D>
 film_kernels::Fluid FilmSet<D>::fluid(const pbd::Substep<D>& substep) const {
-  const FluidMultipliers m = multipliers_();
+  const FluidMultipliers m = multipliers_(substep);
   return {substep.grid,
           substep.particles.position,
           substep.particles.phase,
@@ -112,7 +113,8 @@ void FilmSet<D>::end(pbd::Substep<D>& substep) {
   using namespace film_kernels;
   step_time_ += substep.dt;
   bodies_.set_loads({});
-  if (!is_on_device_ || all_.triangles.empty() || substep.particles.sorted == 0) return;
+  pbd::GhostExchange* const ranks = substep.ghosts.exchange;
+  if (!is_on_device_ || all_.triangles.empty() || (substep.particles.sorted == 0 && !ranks)) return;
   if (!nearness_.any(bodies_.host_motions(), substep.dt, lengths_.widest())) return;
   const auto triangles = static_cast<uint32_t>(all_.triangles.size()),
              vertices = static_cast<uint32_t>(all_.vertices.size()),
@@ -131,13 +133,16 @@ void FilmSet<D>::end(pbd::Substep<D>& substep) {
   sums_.fill(0);
   device_.parallel_for("films/rims", vertices,
                        FindRims{film, set, gaps_.view(), around, lengths_, rims_.view(), has_film_.view()});
+  if (ranks) merge_rims(*ranks);
   device_.parallel_for(
       "films/wet", triangles,
       FindWetFaces{film, set, centre_.view(), has_film_.view(), around, lengths_, gaps_.view()});
+  if (ranks) merge_wet_faces(*ranks);
   const pbd::ParticleView& p = substep.particles;
   device_.parallel_for("films/particles", substep.contacts.contacts.count,
                        AddParticleLoads{substep.contacts, p.position, p.phase, p.sorted, has_film_.view(),
                                         lengths_, axes, 1 / substep.dt, particle_loads_.view()});
+  if (ranks) merge_particle_loads(*ranks);
   const SolveViews views{pressure_.view(),  wet_part_.view(), residual_.view(),
                          direction_.view(), applied_.view(),  diagonal_.view()};
   device_.parallel_for_groups(

@@ -123,6 +123,10 @@ class DensitySet final : public pbd::ConstraintSet<D> {
 
   /// Λ of the last substep, kg·m²: pressure is Λ / (V h_t²), with V = Kernel::particle_volume.
   pbd::View<const density_kernels::Multiplier> multipliers() const { return multiplier_.current.view(); }
+  /// Gives the ghosts of a shared world those of their owners.
+  void refresh_multipliers(const pbd::GhostView& ghosts) {
+    if (ghosts.exchange) pbd::refresh_ghosts(device_, ghosts, multiplier_.current.view());
+  }
   /// The compression that particles of a crowd may keep in this substep; empty without a crowd.
   pbd::View<const float> allowed() const { return allowed_; }
   /// In this substep, particles of pistons get their multipliers from the fluid around them. Call it after

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fluid/density/density_set.h"
+#include "fluid/density/exact_probes.h"
 #include "pbd/math/periodic_axes.h"
 #include "pbd/substep.h"
 
@@ -37,14 +38,8 @@ struct Probe {
   uint32_t group = pbd::no_index;    ///< the fluid; no_index: all
 };
 
-/// The sums of a probe.
-struct ProbeSum {
-  double value, weight;  ///< a scalar; what `value`, x, y and z are weighted with, or 0
-  double x, y, z;        ///< a vector
-};
-
 /// Measures the probes in every substep, and averages over a step. Along periodic axes a particle counts
-/// where its nearest image is.
+/// where its nearest image is. With fixed sums, and in a world that ranks share, sums are exact.
 template <class D>
 class Probes final : public pbd::Observer<D> {
  public:
@@ -55,13 +50,16 @@ class Probes final : public pbd::Observer<D> {
   std::span<const Probe> probes() const { return probes_; }
   void start_step() override;
   void observe(const pbd::Substep<D>& substep) override;
-  /// One element for each probe: the mean over the last step's substeps.
+  /// One element for each probe: the mean over the last step's substeps. All ranks call it.
   void read(std::span<ProbeSum> means) const;
 
  private:
   template <class Map>
   void sum(const char* name, const pbd::Substep<D>& substep, const Map& map);
   void measure_level(const pbd::Substep<D>& substep, const Probe& probe);
+  void add_layers_over_ranks();
+  void accumulate(uint32_t probe);
+  void read_exactly(std::span<ProbeSum> sums) const;
 
   D& device_;
   const DensitySet<D>& density_;
@@ -69,9 +67,13 @@ class Probes final : public pbd::Observer<D> {
   pbd::PeriodicAxes axes_;
   std::vector<Probe> probes_;
   int substeps_ = 0;
+  bool is_exact_ = false;                   // in the present step
+  pbd::GhostExchange* exchange_ = nullptr;  // of a shared world
   pbd::Buffer<ProbeSum> value_{device_, "probe value"};
   pbd::Buffer<uint32_t> layers_{device_, "probe layers"};
   pbd::Buffer<ProbeSum> totals_{device_, "probe totals"};
+  pbd::Buffer<probe_kernels::ExactProbeSum> exact_value_{device_, "probe value"};
+  pbd::Buffer<probe_kernels::ExactProbeSum> exact_totals_{device_, "probe totals"};
 };
 
 }  // namespace meniscus::fluid

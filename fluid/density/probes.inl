@@ -1,190 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The kernels that sum up what probes measure.
+// Functions of Probes; its kernels are in probe_kernels.h.
 #pragma once
 
 #include <numbers>
+#include <vector>
 
+#include "fluid/density/probe_kernels.h"
 #include "fluid/density/probes.h"
-#include "pbd/device/base/atomics.h"
 
 namespace meniscus::fluid {
-
-namespace probe_kernels {
-
-/// Of a column. Higher ones end there.
-inline constexpr uint32_t most_layers = 4096;
-
-/// The kernel-weighted mean of the particles' pressures Λ / (V h_t²) around a point.
-template <class K>
-struct PointPressure {
-  K kernel;
-  pbd::View<const pbd::Vec4> position;
-  pbd::View<const density_kernels::Multiplier> multiplier;
-  pbd::View<const pbd::Phase> phase;
-  pbd::PeriodicAxes axes;
-  Vec3 point;
-  float to_pressure;
-
-  MENISCUS_HD ProbeSum operator()(uint32_t i) const {
-    if (pbd::is_grain(phase[i])) return {};
-    const Vec3 d = axes.nearest(position[i].xyz() - point);
-    const double weight = kernel.weight(dot(d, d));
-    return {weight * (to_pressure * multiplier[i].value), weight, 0, 0, 0};
-  }
-};
-
-MENISCUS_HD inline ProbeSum vector_sum(Vec3 v, double weight) {
-  return {0, weight, v.x, v.y, v.z};
-}
-
-/// The same of their velocities.
-template <class K>
-struct PointVelocity {
-  K kernel;
-  pbd::View<const pbd::Vec4> position, velocity;
-  pbd::PeriodicAxes axes;
-  Vec3 point;
-
-  MENISCUS_HD ProbeSum operator()(uint32_t i) const {
-    const Vec3 d = axes.nearest(position[i].xyz() - point);
-    const float weight = kernel.weight(dot(d, d));
-    return vector_sum(weight * velocity[i].xyz(), weight);
-  }
-};
-
-/// The density around a point: Σ m/s³ V W. The kernel's volume V makes it the rest density on the lattice.
-template <class K>
-struct PointDensity {
-  K kernel;
-  pbd::View<const pbd::Vec4> position;
-  pbd::PeriodicAxes axes;
-  Vec3 point;
-  float particle_volume;
-
-  MENISCUS_HD ProbeSum operator()(uint32_t i) const {
-    const pbd::Vec4 p = position[i];
-    const Vec3 d = axes.nearest(p.xyz() - point);
-    return {double{kernel.weight(dot(d, d))} / (double{particle_volume} * p.w), 0, 0, 0, 0};
-  }
-};
-
-/// The force on one fixed shape through the contacts of particle i, or its torque about a point.
-struct WallForce {
-  pbd::ContactView contacts;
-  uint32_t shape;
-  Aabb patch;
-  float to_force;  ///< 1/h_t²
-  bool torque;
-  Vec3 point;
-
-  MENISCUS_HD ProbeSum operator()(uint32_t i) const {
-    ProbeSum total{};
-    for (uint32_t k = contacts.start[i]; k < contacts.start[i + 1]; ++k) {
-      const pbd::Contact& c = contacts.contacts[k];
-      if (c.solid != shape || c.body != pbd::no_index || !inside(patch, c.point)) continue;
-      const Vec3 force = -to_force * multiplier_sum(c);
-      const Vec3 f = torque ? cross(c.point - point, force) : force;
-      total.x += f.x;
-      total.y += f.y;
-      total.z += f.z;
-    }
-    return total;
-  }
-};
-
-/// The flow through a disc: the mean over layers of one spacing on both sides of it.
-struct DiscFlow {
-  pbd::View<const pbd::Vec4> position, velocity;
-  pbd::PeriodicAxes axes;
-  Vec3 point, normal;
-  float radius, spacing;
-
-  MENISCUS_HD ProbeSum operator()(uint32_t i) const {
-    const Vec3 d = axes.nearest(position[i].xyz() - point);
-    const float along = dot(d, normal);
-    const Vec3 beside = d - along * normal;
-    if (fabsf(along) > spacing || dot(beside, beside) > radius * radius) return {};
-    const float area = spacing * spacing;  // s³ over the thickness of the layers, 2 s
-    return {0.5 * double{area} * dot(velocity[i].xyz(), normal), 0, 0, 0, 0};
-  }
-};
-
-/// The momentum of a fluid, its angular momentum about a point, or its mass times the place of its centre.
-struct FluidSum {
-  ProbeMeasure measure;
-  pbd::View<const pbd::Vec4> position, velocity;
-  pbd::View<const pbd::Phase> phase;
-  uint32_t group;
-  Vec3 point;
-
-  MENISCUS_HD ProbeSum operator()(uint32_t i) const {
-    if (group != pbd::no_index && pbd::phase_group(phase[i]) != group) return {};
-    const pbd::Vec4 p = position[i];
-    const float mass = 1 / p.w;
-    const Vec3 v = velocity[i].xyz();
-    if (measure == ProbeMeasure::centre) return vector_sum(mass * p.xyz(), mass);
-    return vector_sum(mass * (measure == ProbeMeasure::momentum ? v : cross(p.xyz() - point, v)), 0);
-  }
-};
-
-/// Counts the particles of a column in layers of one spacing.
-struct CountLayers {
-  pbd::View<const pbd::Vec4> position;
-  pbd::PeriodicAxes axes;
-  Vec3 point, normal;
-  float radius, spacing;
-  pbd::View<uint32_t> layers;
-
-  MENISCUS_HD void operator()(uint32_t i) const {
-    const Vec3 d = axes.nearest(position[i].xyz() - point);
-    const float along = dot(d, normal);
-    const Vec3 beside = d - along * normal;
-    if (!(along >= 0) || dot(beside, beside) > radius * radius) return;
-    const float layer = along / spacing;
-    if (layer < static_cast<float>(layers.count)) pbd::atomic_add(layers[static_cast<uint32_t>(layer)], 1u);
-  }
-};
-
-/// The level: full layers from the foot up, and what is in the two on top. A layer is full where it has what
-/// the layers below have on average. The first layer with less than half ends the pool.
-struct FindLevel {
-  pbd::View<const uint32_t> layers;
-  float full;  ///< particles, of a layer of the column at rest
-  float spacing;
-  pbd::View<ProbeSum> value;
-
-  MENISCUS_HD void operator()(uint32_t) const {
-    uint32_t pool = 0, below = 0;  // layers of the pool, and particles in all of them but the topmost
-    double mean = full, last = 0;
-    while (pool < layers.count && layers[pool] >= 0.5 * mean) {
-      below += pool > 0 ? static_cast<uint32_t>(last) : 0;
-      last = layers[pool++];
-      if (pool > 2) mean = static_cast<double>(below) / (pool - 1);
-    }
-    const auto part = [&](double count) { return count < mean ? count / mean : 1.0; };
-    const double above = pool < layers.count ? layers[pool] : 0;
-    const double height = pool > 0 ? pool - 1 + part(last) + part(above) : part(above);
-    value[0] = {spacing * height, 0, 0, 0, 0};
-  }
-};
-
-struct Add {
-  MENISCUS_HD ProbeSum operator()(const ProbeSum& a, const ProbeSum& b) const {
-    return {a.value + b.value, a.weight + b.weight, a.x + b.x, a.y + b.y, a.z + b.z};
-  }
-};
-
-struct Accumulate {
-  pbd::View<const ProbeSum> value;
-  pbd::View<ProbeSum> totals;
-  uint32_t probe;
-
-  MENISCUS_HD void operator()(uint32_t) const { totals[probe] = Add{}(totals[probe], value[0]); }
-};
-
-}  // namespace probe_kernels
 
 template <class D>
 void Probes<D>::set_probes(std::span<const Probe> probes) {
@@ -192,19 +18,48 @@ void Probes<D>::set_probes(std::span<const Probe> probes) {
   value_.resize_discard(1);
   layers_.resize_discard(probe_kernels::most_layers);
   totals_.resize_discard(static_cast<uint32_t>(probes.size()));
+  exact_value_.resize_discard(1);
+  exact_totals_.resize_discard(static_cast<uint32_t>(probes.size()));
   start_step();
 }
 
 template <class D>
 void Probes<D>::start_step() {
   totals_.fill(0);
+  exact_totals_.fill(0);
   substeps_ = 0;
 }
 
 template <class D>
 template <class Map>
 void Probes<D>::sum(const char* name, const pbd::Substep<D>& substep, const Map& map) {
-  device_.reduce(name, substep.particles.sorted, ProbeSum{}, map, probe_kernels::Add{}, value_.view());
+  using namespace probe_kernels;
+  if (is_exact_)
+    device_.reduce(name, substep.particles.sorted, ExactProbeSum{}, Exactly<Map>{map}, AddExactly{},
+                   exact_value_.view());
+  else
+    device_.reduce(name, substep.particles.sorted, ProbeSum{}, map, Add{}, value_.view());
+}
+
+/// Adds the value of the present substep.
+template <class D>
+void Probes<D>::accumulate(uint32_t probe) {
+  using namespace probe_kernels;
+  const bool is_level = probes_[probe].measure == ProbeMeasure::level;
+  if (is_exact_ && !is_level)
+    device_.parallel_for("probes/accumulate", 1,
+                         AccumulateExactly{exact_value_.view(), exact_totals_.view(), probe});
+  else
+    device_.parallel_for("probes/accumulate", 1, Accumulate{value_.view(), totals_.view(), probe});
+}
+
+/// All ranks then find the same level.
+template <class D>
+void Probes<D>::add_layers_over_ranks() {
+  const std::vector<uint32_t> own = layers_.read(layers_.size());
+  std::vector<uint64_t> all(own.begin(), own.end());
+  exchange_->add_up(all);
+  layers_.write(std::vector<uint32_t>(all.begin(), all.end()));
 }
 
 template <class D>
@@ -215,6 +70,7 @@ void Probes<D>::measure_level(const pbd::Substep<D>& substep, const Probe& probe
   device_.parallel_for("probes/layers", substep.particles.sorted,
                        CountLayers{substep.particles.position, axes_, probe.point, probe.normal, probe.radius,
                                    spacing_, layers_.view()});
+  if (exchange_) add_layers_over_ranks();
   device_.parallel_for("probes/level", 1,
                        FindLevel{layers_.view(), area / (spacing_ * spacing_), spacing_, value_.view()});
 }
@@ -225,6 +81,8 @@ void Probes<D>::observe(const pbd::Substep<D>& substep) {
   using enum ProbeMeasure;
   const float inverse_dt2 = 1 / (substep.dt * substep.dt);
   const pbd::ParticleView& p = substep.particles;
+  exchange_ = substep.ghosts.exchange;
+  is_exact_ = exchange_ || device_.fixes_sums();
   for (uint32_t k = 0; k < probes_.size(); ++k) {
     const Probe& probe = probes_[k];
     switch (probe.measure) {
@@ -267,7 +125,7 @@ void Probes<D>::observe(const pbd::Substep<D>& substep) {
             FluidSum{probe.measure, p.position, p.velocity, p.phase, probe.group, probe.point});
         break;
     }
-    device_.parallel_for("probes/accumulate", 1, Accumulate{value_.view(), totals_.view(), k});
+    accumulate(k);
   }
   ++substeps_;
 }
@@ -275,9 +133,22 @@ void Probes<D>::observe(const pbd::Substep<D>& substep) {
 template <class D>
 void Probes<D>::read(std::span<ProbeSum> means) const {
   totals_.read(means);
+  if (is_exact_) read_exactly(means);
   for (ProbeSum& m : means) {
     const double parts = m.weight > 0 ? m.weight : substeps_;
     if (parts > 0) m = {m.value / parts, m.weight, m.x / parts, m.y / parts, m.z / parts};
+  }
+}
+
+/// Of all probes but levels.
+template <class D>
+void Probes<D>::read_exactly(std::span<ProbeSum> sums) const {
+  std::vector<probe_kernels::ExactProbeSum> exact = exact_totals_.read(exact_totals_.size());
+  if (exchange_) add_over_ranks(*exchange_, exact);
+  for (size_t k = 0; k < sums.size(); ++k) {
+    const pbd::ExactSum(&s)[probe_kernels::ExactProbeSum::count] = exact[k].sums;
+    if (probes_[k].measure != ProbeMeasure::level)
+      sums[k] = {s[0].value(), s[1].value(), s[2].value(), s[3].value(), s[4].value()};
   }
 }
 

@@ -6,8 +6,10 @@
 
 #include <meniscus/error.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -77,6 +79,38 @@ std::vector<T> values_of_all(Ranks& ranks, const T& own) {
   std::vector<T> all(static_cast<size_t>(ranks.count()));
   ranks.gather_everywhere(std::as_bytes(std::span(&own, 1)), std::as_writable_bytes(std::span(all)));
   return all;
+}
+
+/// The lists of all ranks, one after the other in the order of the ranks.
+template <class T>
+std::vector<T> lists_of_all(Ranks& ranks, std::span<const T> own) {
+  const std::vector<uint64_t> counts = values_of_all(ranks, uint64_t{own.size()});
+  std::vector<T> all(std::accumulate(counts.begin(), counts.end(), uint64_t{0}));
+  std::vector<Sent> sent;
+  std::vector<Received> received;
+  T* place = all.data();
+  for (int r = 0; r < ranks.count(); ++r) {
+    const uint64_t count = counts[static_cast<size_t>(r)];
+    if (r == ranks.rank()) {
+      std::copy(own.begin(), own.end(), place);
+    } else {
+      sent.push_back({r, own.data(), own.size_bytes()});
+      received.push_back({r, place, count * sizeof(T)});
+    }
+    place += count;
+  }
+  ranks.exchange(sent, received);
+  return all;
+}
+
+/// Gives all ranks the values of rank 0. The others have room for as many.
+template <class T>
+void copy_from_first(Ranks& ranks, std::span<T> values) {
+  std::vector<Sent> sent;
+  for (int r = 1; r < ranks.count() && ranks.rank() == 0; ++r)
+    sent.push_back({r, values.data(), values.size_bytes()});
+  const Received received{0, values.data(), values.size_bytes()};
+  ranks.exchange(sent, {&received, ranks.rank() == 0 ? size_t{0} : size_t{1}});
 }
 
 /// Whether it is so on any rank.

@@ -69,6 +69,12 @@ void Solver<D>::keep_own_room() {
   contacts_.shrink(room.fluid);
 }
 
+template <class D>
+void Solver<D>::reserve_own(uint32_t more) {
+  const uint32_t needed = particles_.sorted() + more;
+  if (needed > room_.fluid) reserve(room_for_own(needed));
+}
+
 /// Repeats work whenever a rank had no room for what others sent. All ranks do so. The work has restored the
 /// state by then.
 template <class D>

@@ -85,7 +85,8 @@ class DeviceEngine final : public Engine {
         jets_(device_),
         pistons_(device_, density_),
         free_room_(device_, def.particle_spacing, def.solver.contact_radius) {
-    films_.set_fluid([this]() -> collision::FluidMultipliers {
+    films_.set_fluid([this](const pbd::Substep<D>& substep) -> collision::FluidMultipliers {
+      density_.refresh_multipliers(substep.ghosts);
       using Multiplier = fluid::density_kernels::Multiplier;
       return {&density_.multipliers().data->value, sizeof(Multiplier) / sizeof(float),
               def_.kernel.particle_volume};
@@ -117,7 +118,7 @@ class DeviceEngine final : public Engine {
   std::vector<ContactReadout> read_contacts() override;
   void forget_contacts(uint32_t solid, TouchedKind kind) override;
   void visit_state(pbd::StateVisitor& v) override;
-  void set_sinks(std::span<const Sink> sinks) override { sinks_.set(sinks); }
+  void set_sinks(std::span<const Sink> sinks) override;
   std::vector<bool> take_sinks(std::span<uint32_t> taken, std::vector<uint32_t>& takers) override;
   void set_force_fields(std::span<const ForceFieldModel> fields, std::span<const float> body_densities,
                         const VertexVolumes& volumes) override {
@@ -236,7 +237,14 @@ class DeviceEngine final : public Engine {
   Overflows overflows() const;  // of the last step
   void follow(const RankCommand& command);
   void announce(const RankCommand& command);
-  void send_from_first(void* data, size_t bytes);
+  struct Taken {
+    uint32_t slot, sink;
+  };
+  std::vector<Taken> take_own(std::span<uint32_t> taken, uint32_t& kept);
+  std::vector<bool> take_sinks_among_ranks(std::span<uint32_t> taken, std::vector<uint32_t>& takers);
+  void note_waiting(std::span<const Arrival> arrivals);
+  void find_room_among_ranks(std::span<const Arrival> arrivals, std::vector<uint8_t>& has_room);
+  void append_among_ranks(const ParticleBatch& batch);
   std::pair<bool, std::vector<uint64_t>> write_own_items(const std::string& file,
                                                          std::span<const uint64_t> offsets);
   template <class Work>
@@ -332,6 +340,7 @@ class DeviceEngine final : public Engine {
 #include "sdk/engine/engine_assembly.inl"
 #include "sdk/engine/engine_cloth.inl"
 #include "sdk/engine/engine_particles.inl"
+#include "sdk/engine/engine_rank_flow.inl"
 #include "sdk/engine/engine_ranks.inl"
 #include "sdk/engine/engine_readout.inl"
 #include "sdk/engine/engine_setters.inl"

@@ -75,13 +75,28 @@ void DeviceEngine<D>::reserve_more(uint32_t more) {
 
 template <class D>
 void DeviceEngine<D>::make_room(uint32_t more) {
-  reserve_more(more);
+  if (!ranks_) reserve_more(more);  // others do not know how many of these come to them
   free_room_.reserve(more);
 }
 
 template <class D>
 void DeviceEngine<D>::find_room(std::span<const Arrival> arrivals, std::vector<uint8_t>& has_room) {
-  free_room_.find(particles_, shape_set_, arrivals, has_room);
+  if (ranks_) {
+    std::vector<Arrival> all(arrivals.begin(), arrivals.end());
+    together({RankCall::find_room, static_cast<int32_t>(all.size())}, [&] {
+      pbd::copy_from_first(*ranks_, std::span(all));
+      find_room_among_ranks(all, has_room);
+      note_waiting(all);
+    });
+    return;
+  }
+  free_room_.find(particles_, shape_set_, arrivals, has_room, [](std::span<uint32_t>) {});
+  note_waiting(arrivals);
+}
+
+/// Arrivals that have waited may have driven particles away.
+template <class D>
+void DeviceEngine<D>::note_waiting(std::span<const Arrival> arrivals) {
   if (std::none_of(arrivals.begin(), arrivals.end(), [](const Arrival& a) { return a.waits; })) return;
   jets_.hold_for(1);
   solver_.particles_changed(0, 0);
@@ -92,6 +107,15 @@ void DeviceEngine<D>::append(const ParticleBatch& batch) {
   const uint32_t first = particles_.sorted();
   const auto added = static_cast<uint32_t>(batch.position.size());
   if (added == 0) return;
+  if (ranks_) {
+    ParticleBatch all = batch;
+    return together({RankCall::append, static_cast<int32_t>(added)}, [&] {
+      pbd::copy_from_first(*ranks_, std::span(all.position));
+      pbd::copy_from_first(*ranks_, std::span(all.velocity));
+      pbd::copy_from_first(*ranks_, std::span(all.phase));
+      append_among_ranks(all);
+    });
+  }
   reserve_more(added);
   std::vector<uint32_t> slot(added);
   std::iota(slot.begin(), slot.end(), first);
@@ -155,9 +179,21 @@ void DeviceEngine<D>::push(uint32_t count, std::span<const uint32_t> who, std::s
 }
 
 template <class D>
+void DeviceEngine<D>::set_sinks(std::span<const Sink> sinks) {
+  if (!ranks_) return sinks_.set(sinks);
+  std::vector<Sink> all(sinks.begin(), sinks.end());
+  together({RankCall::set_sinks, static_cast<int32_t>(all.size())}, [&] {
+    pbd::copy_from_first(*ranks_, std::span(all));
+    sinks_.set(all);
+  });
+}
+
+template <class D>
 std::vector<bool> DeviceEngine<D>::take_sinks(std::span<uint32_t> taken, std::vector<uint32_t>& takers) {
-  if (sinks_.empty() || particles_.sorted() == 0) return {};
-  const uint32_t kept = sinks_.mark(particles_, removal_, taken);
+  if (sinks_.empty()) return {};
+  if (ranks_) return together({RankCall::take_sinks}, [&] { return take_sinks_among_ranks(taken, takers); });
+  if (particles_.sorted() == 0) return {};
+  const uint32_t kept = sinks_.mark(particles_, removal_, taken, particles_.slot.current.view());
   if (kept == particles_.sorted()) return {};
   sinks_.read_takers(particles_.sorted(), takers);
   const std::vector<uint32_t> by_slot = remove_marked(kept);

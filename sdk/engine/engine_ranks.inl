@@ -74,11 +74,34 @@ void DeviceEngine<D>::follow(const RankCommand& command) {
     case RankCall::counts:
       particles_by_rank();
       return;
+    case RankCall::probes: {
+      std::vector<fluid::ProbeSum> means(probes_.probes().size());
+      return read_probes(means);
+    }
+    case RankCall::set_sinks:
+      return set_sinks(std::vector<Sink>(static_cast<size_t>(command.iterations)));
+    case RankCall::take_sinks: {
+      std::vector<uint32_t> taken(sinks_.count()), takers;
+      take_sinks(taken, takers);
+      return;
+    }
+    case RankCall::find_room: {
+      std::vector<uint8_t> has_room;
+      return find_room(std::vector<Arrival>(static_cast<size_t>(command.iterations)), has_room);
+    }
+    case RankCall::append: {
+      const auto count = static_cast<size_t>(command.iterations);
+      ParticleBatch batch;
+      batch.position.resize(count);
+      batch.velocity.resize(count);
+      batch.phase.resize(count);
+      return append(batch);
+    }
     case RankCall::save: {
       std::string file(static_cast<size_t>(command.iterations), '\0');
       std::vector<uint64_t> offsets(particle_items.size());
-      send_from_first(file.data(), file.size());
-      send_from_first(offsets.data(), offsets.size() * sizeof(uint64_t));
+      pbd::copy_from_first(*ranks_, std::span(file));
+      pbd::copy_from_first(*ranks_, std::span(offsets));
       write_own_items(file, offsets);
       return;
     }
@@ -97,17 +120,6 @@ void DeviceEngine<D>::announce(const RankCommand& command) {
 }
 
 template <class D>
-void DeviceEngine<D>::send_from_first(void* data, size_t bytes) {
-  if (ranks_->rank() != 0) {
-    const pbd::Received received{0, data, bytes};
-    return ranks_->exchange({}, {&received, 1});
-  }
-  std::vector<pbd::Sent> sent;
-  for (int r = 1; r < ranks_->count(); ++r) sent.push_back({r, data, bytes});
-  ranks_->exchange(sent, {});
-}
-
-template <class D>
 std::vector<uint32_t> DeviceEngine<D>::particles_by_rank() {
   return together({RankCall::counts}, [&] { return pbd::values_of_all(*ranks_, particles_.sorted()); });
 }
@@ -118,8 +130,8 @@ std::vector<uint64_t> DeviceEngine<D>::write_particle_items(const std::string& f
   std::string path = file;
   std::vector<uint64_t> places(offsets.begin(), offsets.end());
   const auto [is_written, hashes] = together({RankCall::save, static_cast<int32_t>(path.size())}, [&] {
-    send_from_first(path.data(), path.size());
-    send_from_first(places.data(), places.size() * sizeof(uint64_t));
+    pbd::copy_from_first(*ranks_, std::span(path));
+    pbd::copy_from_first(*ranks_, std::span(places));
     return write_own_items(path, places);
   });
   if (!is_written) throw Error(ErrorCode::io, "cannot write " + file + ": a rank could not write its part");

@@ -64,7 +64,8 @@ void DeviceEngine<D>::set_probes(std::span<const fluid::Probe> probes) {
 
 template <class D>
 void DeviceEngine<D>::read_probes(std::span<fluid::ProbeSum> means) {
-  probes_.read(means);
+  if (means.empty()) return;
+  together({RankCall::probes}, [&] { probes_.read(means); });
   const std::span<const collision::RigidImpulse> loads = films_.read_probes();
   for (size_t k = 0; k < means.size(); ++k) {
     const bool torque = probes_.probes()[k].measure == fluid::ProbeMeasure::torque;

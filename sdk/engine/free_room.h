@@ -34,9 +34,10 @@ class FreeRoom {
   }
 
   /// Sets has_room[i] to whether arrivals[i] has room beside all particles, and beside earlier arrivals with
-  /// room.
+  /// room. merge(blocked) may add what particles elsewhere block: not 0.
+  template <class Merge>
   void find(pbd::Particles& particles, const collision::ShapeSet& shapes, std::span<const Arrival> arrivals,
-            std::vector<uint8_t>& has_room) {
+            std::vector<uint8_t>& has_room, const Merge& merge) {
     const auto count = static_cast<uint32_t>(arrivals.size());
     reserve(count);
     fill_table(arrivals);
@@ -62,6 +63,7 @@ class FreeRoom {
                                                           spacing_, contact_radius_});
     seen_.resize(count);
     blocked_.read(std::span(seen_));
+    merge(std::span(seen_));
     choose(arrivals, has_room);
   }
 

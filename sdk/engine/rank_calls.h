@@ -21,12 +21,17 @@ enum class RankCall : uint32_t {
   hash,
   diagnostics,
   counts,
+  probes,
+  set_sinks,
+  take_sinks,
+  find_room,
+  append,
   save
 };
 
 struct RankCommand {
   RankCall call;
-  int32_t iterations = 0;  ///< of a step; of a file the length of its path
+  int32_t iterations = 0;  ///< of a step; of a file the length of its path; of a list its length
   float dt = 0;            ///< s, of a step or its substeps
 };
 

@@ -55,22 +55,26 @@ struct Mark {
 struct Count {
   View<const pbd::Vec4> position;
   View<const Sink> sinks;
-  View<const uint32_t> keep, slot;
+  View<const uint32_t> keep, slot;  ///< without slots takers are noted by place
   View<uint32_t> taken, by_slot;
 
   MENISCUS_HD void operator()(uint32_t i) const {
     if (keep[i]) return;
     const uint32_t by = taker(sinks, position[i].xyz());
     pbd::atomic_add(taken[by], 1);
-    by_slot[slot[i]] = by;
+    by_slot[slot.count ? slot[i] : i] = by;
   }
 };
 
 }  // namespace sink_kernels
 
-/// Marks the particles that the sinks take, counts them, and notes by slot which sink takes each.
+/// Marks the particles that the sinks take, counts them, and notes by slot, or by place where no slots are
+/// given, which sink takes each.
 template <class D>
 class Sinks {
+  template <class T>
+  using View = pbd::View<T>;
+
  public:
   explicit Sinks(D& device) : device_(device) {}
 
@@ -81,10 +85,12 @@ class Sinks {
   }
 
   bool empty() const { return sinks_.size() == 0; }
+  size_t count() const { return sinks_.size(); }
 
   /// Fills removal.keep(); returns how many fluid particles remain. If some are removed, taken[k] is the
   /// count of sink k.
-  uint32_t mark(pbd::Particles& particles, pbd::Removal<D>& removal, std::span<uint32_t> taken) {
+  uint32_t mark(pbd::Particles& particles, pbd::Removal<D>& removal, std::span<uint32_t> taken,
+                View<const uint32_t> slots) {
     const View<const pbd::Vec4> position = particles.position.current.view();
     device_.parallel_for("sinks/mark", particles.count(),
                          sink_kernels::Mark{position, sinks_.view(), particles.phase.current.view(),
@@ -94,23 +100,20 @@ class Sinks {
     taken_.fill(0);
     if (by_slot_.size() < particles.sorted())
       by_slot_.resize_discard(std::max<size_t>(particles.sorted(), 2 * by_slot_.size()));
-    device_.parallel_for("sinks/count", particles.sorted(),
-                         sink_kernels::Count{position, sinks_.view(), removal.keep(),
-                                             particles.slot.current.view(), taken_.view(), by_slot_.view()});
+    device_.parallel_for(
+        "sinks/count", particles.sorted(),
+        sink_kernels::Count{position, sinks_.view(), removal.keep(), slots, taken_.view(), by_slot_.view()});
     taken_.read(taken);
     return kept;
   }
 
-  /// The number of the sink that takes each particle, by slot, after mark() has found some.
+  /// The number of the sink that takes each particle, after mark() has found some.
   void read_takers(uint32_t count, std::vector<uint32_t>& takers) const {
     takers.resize(count);
     by_slot_.read(std::span(takers));
   }
 
  private:
-  template <class T>
-  using View = pbd::View<T>;
-
   D& device_;
   pbd::Buffer<Sink> sinks_{device_, "sinks"};
   pbd::Buffer<uint32_t> taken_{device_, "particles by sink"};

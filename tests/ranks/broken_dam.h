@@ -13,14 +13,15 @@
 namespace meniscus::tests {
 
 /// A dam of this width and length (m) that breaks along the axis of the slabs, in two fluids, onto a ball and
-/// a box. On one thread, or on a GPU of that ordinal. `pulls`: with surface tension.
-inline World broken_dam(float width, float length = 1.3f, bool pulls = true, std::optional<int> gpu = {}) {
+/// a box. On one thread, or on a GPU of that ordinal. `pulls`: with surface tension. `fixed`: with fixed
+/// sums, which GPUs need.
+inline World broken_dam(float width, float length = 1.3f, bool pulls = true, std::optional<int> gpu = {},
+                        bool fixed = false, RigidSolver rigid = RigidSolver::bullet) {
   WorldDef def = world_def(gpu ? pbd::DeviceKind::cuda : pbd::DeviceKind::cpu, 0.05f);
   def.cuda_device = gpu;
-  if (gpu)
-    def.sums = Sums::fixed;
-  else
-    def.threads = 1;
+  if (gpu || fixed) def.sums = Sums::fixed;
+  if (!gpu) def.threads = 1;
+  def.rigid.solver = rigid;
   def.density.artificial_pressure.strength = 0.05f;
   World world(def);
   FluidDef first, second;
@@ -41,10 +42,12 @@ inline World broken_dam(float width, float length = 1.3f, bool pulls = true, std
 
 constexpr float drop_speed = 1;  // m/s
 
-/// Two drops that meet along the axis of the slabs, without gravity and shapes. On one thread.
-inline World free_drops() {
+/// Two drops that meet along the axis of the slabs, without gravity and shapes. On one thread. With a body,
+/// they meet on a long box between them.
+inline World free_drops(bool has_body = false) {
   WorldDef def = world_def(pbd::DeviceKind::cpu, 0.05f);
   def.threads = 1;
+  if (has_body) def.sums = Sums::fixed;
   def.gravity = {0, 0, 0};
   World world(def);
   const FluidId fluid = world.create_fluid({});  // confinement of vorticity would not keep momentum
@@ -56,6 +59,10 @@ inline World free_drops() {
     drop.velocity = {0, 0, -side * drop_speed};
     world.add_fluid(drop);
   }
+  if (!has_body) return world;
+  BodyDef box;
+  box.geometry = BoxGeometry{{0.3f, 0.05f, 0.02f}};
+  world.create_body(box);
   return world;
 }
 
@@ -73,6 +80,14 @@ inline Momentum momentum_of(const World& world) {
     sum.x += mass * double{velocities[k].x};
     sum.y += mass * double{velocities[k].y};
     sum.z += mass * double{velocities[k].z};
+    sum.mass += mass;
+  }
+  for (const BodyId id : world.body_ids()) {
+    const double mass = world.body_mass(id).mass;
+    const Vec3 v = world.body_state(id).velocity;
+    sum.x += mass * double{v.x};
+    sum.y += mass * double{v.y};
+    sum.z += mass * double{v.z};
     sum.mass += mass;
   }
   return sum;

@@ -4,12 +4,13 @@
 """tests/ranks/check.py MPIRUN PROGRAM CHECK [ARGUMENT...]: checks of processes that share a world.
 
 hashes STEPS RANKS...   rank_program has the same hashes alone and on so many ranks, also where cuts move every step
-gpu_hashes STEPS        the same on as many GPUs as there are, one a rank
+contents STEPS RANKS... emitters, sinks, probes and bodies do and say the same, bit for bit
+gpu_hashes STEPS        the hashes are the same on as many GPUs as there are, one a rank
 faults RANKS            a rank that throws, has no memory or is killed ends all: soon, with a message and exit code
 hang RANKS [LIMIT]      so does a rank that stops, within 30 s, or here soon after a limit in s
 memory BYTES WIDTH LENGTH RANKS...   no rank needs more bytes for each of its particles, in a dam of that size
 particles STEPS RANKS   each particle is still there, and once
-momentum RANKS          free drops that meet keep it
+momentum RANKS [--bodies]   free drops that meet keep it, also where they meet on a body
 scene FILE RANKS        meniscus run has the same hash alone and on so many ranks
 restart FILE            so it has if it goes on from snapshots, on other numbers of ranks; a damaged one is refused"""
 
@@ -48,6 +49,17 @@ def check_hashes(mpirun, program, steps, *ranks, on=()):
     words = [program, steps, "--size", "0.15", "1.3", *on]
     alone = output_of(mpirun, 1, words)
     assert alone.count("\n") == int(steps) // 10 + 1, alone
+    for count in map(int, ranks):
+        for options in [], ["--move-cuts"]:
+            shared = output_of(mpirun, count, [*words, *options])
+            assert shared == alone, f"{count} ranks {options}:\n{shared}\nalone:\n{alone}"
+
+
+def check_contents(mpirun, program, steps, *ranks):
+    words = [program, steps, "--size", "0.15", "1.3", "--flow", "--bodies"]
+    alone = output_of(mpirun, 1, words)
+    emitted, taken = re.findall(r"emitted (\d+)", alone)[-2:], re.findall(r"taken (\d+)", alone)[-2:]
+    assert min(map(int, emitted + taken)) > 0, alone
     for count in map(int, ranks):
         for options in [], ["--move-cuts"]:
             shared = output_of(mpirun, count, [*words, *options])
@@ -126,8 +138,8 @@ def check_particles(mpirun, program, steps, ranks):
         assert sorted(numbers) == list(range(count)), f"{len(numbers)} of {count} particles, or some twice"
 
 
-def check_momentum(mpirun, program, ranks):
-    outputs = [output_of(mpirun, count, [program, "200", "--drop"]) for count in (1, int(ranks))]
+def check_momentum(mpirun, program, ranks, *bodies):
+    outputs = [output_of(mpirun, count, [program, "200", "--drop", *bodies]) for count in (1, int(ranks))]
     assert outputs[0] == outputs[1], outputs
     error = float(re.search(r"momentum (\S+)", outputs[1])[1])
     print("relative error of momentum:", error)
@@ -201,7 +213,7 @@ def check_damaged(mpirun, program, scene, file, folder):
 
 if __name__ == "__main__":
     mpirun, program, check, *arguments = sys.argv[1:]
-    checks = {"hashes": check_hashes, "gpu_hashes": check_gpu_hashes, "faults": check_faults, "hang": check_hang,
+    checks = {"hashes": check_hashes, "contents": check_contents, "gpu_hashes": check_gpu_hashes, "faults": check_faults, "hang": check_hang,
               "memory": check_memory, "particles": check_particles, "momentum": check_momentum, "scene": check_scene,
               "restart": check_restart}
     checks[check](mpirun, program, *arguments)

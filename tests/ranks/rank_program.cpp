@@ -7,6 +7,8 @@
 //   --cuda                 each rank has a GPU
 //   --size WIDTH LENGTH    of the dam, in m
 //   --plain                without surface tension
+//   --flow                 with emitters, sinks and probes, which it prints too
+//   --bodies               with bodies, of which it prints what they do
 //   --drop                 instead, drops that meet without gravity; prints the relative error of momentum
 //   --move-cuts            by two layers with every step
 //   --memory               each rank prints the memory of its device for each particle
@@ -27,8 +29,10 @@
 #include "sdk/ranks/mpi_ranks.h"
 #include "sdk/world/shared/shared_world.h"
 #include "tests/faults/failing_memory.h"
+#include "tests/ranks/bodies.h"
 #include "tests/ranks/broken_dam.h"
 #include "tests/ranks/failing_ranks.h"
+#include "tests/ranks/flow.h"
 
 namespace meniscus::tests {
 namespace {
@@ -38,7 +42,7 @@ constexpr float frame = 0.008f;  // s
 struct Options {
   int steps = 0;
   float width = 0.3f, length = 1.3f;  // m
-  bool pulls = true, drops = false, prints_memory = false, on_gpus = false;
+  bool pulls = true, flows = false, floats = false, drops = false, prints_memory = false, on_gpus = false;
   pbd::CutPolicy policy;
   std::string file;
   struct {
@@ -49,7 +53,12 @@ struct Options {
 
 World world_of(const Options& options) {
   const std::optional<int> gpu = options.on_gpus ? std::optional(process_of_host()) : std::nullopt;
-  return options.drops ? free_drops() : broken_dam(options.width, options.length, options.pulls, gpu);
+  if (options.drops) return free_drops(options.floats);
+  World world =
+      broken_dam(options.width, options.length, options.pulls, gpu, options.flows || options.floats);
+  if (options.flows) add_flow(world, options.width, options.length);
+  if (options.floats) add_bodies(world, options.width, options.length);
+  return world;
 }
 
 /// |P − P₀| over what one drop of both masses had.
@@ -63,7 +72,10 @@ void step_through(World& world, const Options& options) {
   const Momentum before = momentum_of(world);
   for (int k = 0; k < options.steps; ++k) {
     world.step(frame);
-    if (k % 10 == 9) std::printf("%016llx\n", static_cast<unsigned long long>(world.state_hash()));
+    if (k % 10 != 9) continue;
+    std::printf("%016llx\n", static_cast<unsigned long long>(world.state_hash()));
+    if (options.flows) std::printf("%s\n", told_by_flow(world).c_str());
+    if (options.floats) std::printf("%s\n", told_by_bodies(world).c_str());
   }
   std::printf("particles %zu\n", world.positions().size());
   if (options.drops) std::printf("momentum %.3g\n", momentum_error(world, before));
@@ -106,6 +118,8 @@ Options options_of(int argc, char** argv) {
     const auto argument = [&](int n) { return std::string(k + n < argc ? argv[k + n] : ""); };
     if (word == "--cuda") options.on_gpus = true;
     if (word == "--plain") options.pulls = false;
+    if (word == "--flow") options.flows = true;
+    if (word == "--bodies") options.floats = true;
     if (word == "--drop") options.drops = true;
     if (word == "--move-cuts") options.policy = {.every = 1, .most_imbalance = 0, .shift = 2};
     if (word == "--memory") options.prints_memory = true;

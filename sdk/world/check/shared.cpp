@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// The calls that a shared world allows: steps, what needs no particles, and read-outs of particles by rank 0.
+// The calls that a shared world allows: steps, what needs no particles, and read-outs by rank 0.
 #include "sdk/world/check/shared.h"
 
 #include <meniscus/error.h>
@@ -47,15 +47,24 @@ void allowed_when_shared(std::string_view call, uint32_t ranks) {
                                       "device_bytes"sv,
                                       "memory_shares"sv,
                                       "memory_stats"sv,
+                                      "body_mass"sv,
+                                      "body_state"sv,
+                                      "hinge_angle"sv,
+                                      "contact_events"sv,
+                                      "solid_contacts"sv,
+                                      "emitter_count"sv,
+                                      "sink_count"sv,
+                                      "probe"sv,
+                                      "probe_vector"sv,
                                       "tear_events"sv,
                                       "flow_events"sv,
                                       "sleep_events"sv,
                                       "mesh_repairs"sv,
                                       "save"sv};
   if (std::find(allowed.begin(), allowed.end(), call) != allowed.end()) return;
-  throw Error(ErrorCode::invalid_argument,
-              std::string(call) + " was called for a world that " + std::to_string(ranks) +
-                  " ranks share, which allows steps, read-outs of particles and save");
+  throw Error(ErrorCode::invalid_argument, std::string(call) + " was called for a world that " +
+                                               std::to_string(ranks) +
+                                               " ranks share, which allows steps, read-outs and save");
 }
 
 }  // namespace meniscus::check

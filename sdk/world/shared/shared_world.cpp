@@ -6,6 +6,7 @@
 
 #include <meniscus/error.h>
 
+#include <algorithm>
 #include <exception>
 #include <string>
 #include <utility>
@@ -18,7 +19,7 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& what) {
   throw Error(ErrorCode::invalid_argument,
-              "a world that several ranks share has no " + what + "; it has fluids and fixed shapes");
+              "a world that several ranks share has no " + what + "; it has fluids, fixed shapes and bodies");
 }
 
 void check_solver(const WorldDef& def) {
@@ -34,13 +35,20 @@ void check_contents(const WorldTables& world) {
     if (m.grain.is_grain) refuse("granular materials");
     if (m.fluid.dynamic_viscosity > 0) refuse("fluids with FluidDef::dynamic_viscosity");
   });
-  if (world.bodies.size()) refuse("bodies");
   if (world.cloths.size()) refuse("cloth");
   if (world.ropes.size()) refuse("ropes");
-  if (world.emitters.size()) refuse("emitters");
-  if (world.sinks.size()) refuse("sinks");
-  if (world.probes.size()) refuse("probes");
+  world.emitters.for_each([](uint32_t, const EmitterEntry& e) {
+    if (e.def.mode == EmitterMode::imposed) refuse("emitters with EmitterDef::mode = imposed");
+  });
   if (world.force_fields.size()) refuse("force fields");
+}
+
+void check_bodies(const WorldTables& world, const WorldDef& def) {
+  if (world.bodies.size() == 0) return;
+  if (def.sums != Sums::fixed)
+    throw Error(ErrorCode::invalid_argument,
+                "a world that several ranks share needs WorldDef::sums = fixed for its bodies, in scenes "
+                "\"sums\": \"fixed\"");
 }
 
 }  // namespace
@@ -51,6 +59,7 @@ void SharedWorld::check(const World& world) {
     throw Error(ErrorCode::invalid_argument,
                 "GPUs that share a world need WorldDef::sums = fixed, in scenes \"sums\": \"fixed\"");
   check_solver(impl.def);
+  check_bodies(impl, impl.def);
   check_contents(impl);
   if (!impl.hooks.empty()) refuse("hooks");
   if (impl.recorder) refuse("recording");
@@ -64,8 +73,11 @@ SharedWorld::SharedWorld(World& world, pbd::Ranks& ranks, const pbd::CutPolicy& 
       [&](auto) {
         check(world);
         if (world_.device.kind == "cuda") ranks.use_gpu(world_.def.cuda_device.value_or(0));
-        world_.with_all().share(ranks, policy);
+        pbd::CutPolicy own = policy;
+        own.expects_more |= world_.emitters.size() > 0;
+        world_.with_all().share(ranks, own);
         world_.shared_by = static_cast<uint32_t>(ranks.count());
+        if (!leads()) std::vector<ParticleId>().swap(world_.ids);  // rank 0 gives and removes them
         world_.state_changed();
       },
       "SharedWorld");
@@ -88,6 +100,33 @@ void SharedWorld::pause() {
   world_.engine->pause_following();
 }
 
+/// Rank 0 tells the others the ids of their particles.
+std::vector<ParticleId> SharedWorld::ids_of(const std::vector<uint32_t>& slots) const {
+  const std::vector<uint64_t> counts = pbd::values_of_all(ranks_, uint64_t{slots.size()});
+  std::vector<ParticleId> ids(slots.size());
+  if (!leads()) {
+    const pbd::Sent sent{0, slots.data(), slots.size() * sizeof(uint32_t)};
+    ranks_.exchange({&sent, 1}, {});
+    const pbd::Received received{0, ids.data(), ids.size() * sizeof(ParticleId)};
+    ranks_.exchange({}, {&received, 1});
+    return ids;
+  }
+  const auto look_up = [&](const std::vector<uint32_t>& from, std::vector<ParticleId>& to) {
+    std::transform(from.begin(), from.end(), to.begin(), [&](uint32_t slot) { return world_.ids[slot]; });
+  };
+  look_up(slots, ids);
+  for (int r = 1; r < ranks_.count(); ++r) {
+    std::vector<uint32_t> its_slots(counts[static_cast<size_t>(r)]);
+    const pbd::Received received{r, its_slots.data(), its_slots.size() * sizeof(uint32_t)};
+    ranks_.exchange({}, {&received, 1});
+    std::vector<ParticleId> its_ids(its_slots.size());
+    look_up(its_slots, its_ids);
+    const pbd::Sent sent{r, its_ids.data(), its_ids.size() * sizeof(ParticleId)};
+    ranks_.exchange({&sent, 1}, {});
+  }
+  return ids;
+}
+
 ParticlesOfRank SharedWorld::read_own_particles() {
   OwnParticles own = world_.run([&](auto) { return world_.engine->read_own_particles(); }, "follow");
   ParticlesOfRank particles{{},
@@ -96,7 +135,7 @@ ParticlesOfRank SharedWorld::read_own_particles() {
                             std::move(own.fluids),
                             std::move(own.density_errors),
                             std::move(own.pressures)};
-  for (const uint32_t slot : own.slots) particles.ids.push_back(world_.ids[slot]);
+  particles.ids = ids_of(own.slots);
   for (Vec3& p : particles.positions) p += world_.def.origin;
   return particles;
 }

@@ -26,14 +26,15 @@ struct ParticlesOfRank {
 /// which are those of all ranks. The others follow(). Calls that would change the world in another way throw
 /// Error(invalid_argument) and name themselves.
 ///
-/// A shared world has fluids without viscosity and fixed shapes. It has the same state, bit for bit, whatever
-/// the number of ranks.
+/// A shared world has fluids without viscosity, solids, emitters, sinks and probes. It has the same state,
+/// bit for bit, whatever the number of ranks. All ranks have all bodies, and need fixed sums for them.
 class SharedWorld {
  public:
   /// Throws Error(invalid_argument) and names what the world has and a shared one cannot have.
   static void check(const World& world);
 
-  /// check() comes first. Throws Error(capacity) if the fluid has fewer than 3 layers of cells a rank.
+  /// check() comes first. Throws Error(capacity) if the fluid has fewer than 3 layers of cells a rank, and no
+  /// emitter makes more.
   /// `world` may be moved meanwhile. It and `ranks` must outlive this.
   SharedWorld(World& world, pbd::Ranks& ranks, const pbd::CutPolicy& policy = {});
   /// On rank 0: ends the others' follow().
@@ -53,6 +54,8 @@ class SharedWorld {
   ParticlesOfRank read_own_particles();
 
  private:
+  std::vector<ParticleId> ids_of(const std::vector<uint32_t>& slots) const;
+
   World::Impl& world_;
   pbd::Ranks& ranks_;
 };

@@ -7,43 +7,18 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <functional>
 #include <map>
-#include <thread>
 #include <tuple>
 
-#include "sdk/world/shared/shared_world.h"
 #include "tests/expect_error.h"
 #include "tests/ranks/broken_dam.h"
-#include "tests/ranks/failing_ranks.h"
-#include "tests/ranks/thread_ranks.h"
+#include "tests/ranks/share.h"
 
 namespace meniscus::tests {
 namespace {
 
 constexpr float frame = 0.008f;               // s
 constexpr float wide = 0.3f, narrow = 0.15f;  // m
-
-/// Makes the same world on each rank. Calls lead(world) on rank 0, and returns the errors of the ranks.
-std::vector<std::string> share(int count, const pbd::CutPolicy& policy, const std::function<World()>& make,
-                               const std::function<void(World&)>& lead) {
-  const auto ranks = make_thread_ranks(count);
-  std::vector<std::string> errors(static_cast<size_t>(count));
-  const auto run = [&](int r) {
-    try {
-      World world = make();
-      SharedWorld shared(world, *ranks[static_cast<size_t>(r)], policy);
-      shared.leads() ? lead(world) : static_cast<void>(shared.follow());
-    } catch (const std::exception& error) {
-      errors[static_cast<size_t>(r)] = error.what();
-    }
-  };
-  std::vector<std::jthread> others;
-  for (int r = 1; r < count; ++r) others.emplace_back(run, r);
-  run(0);
-  others.clear();
-  return errors;
-}
 
 struct Result {
   std::vector<uint64_t> hashes;
@@ -101,7 +76,7 @@ TEST(SharedWorld, HasTheSameBitsOnOneTwoAndThreeRanks) {
 }
 
 TEST(SharedWorld, HasTheSameBitsWhereCutsMoveWithEveryStep) {
-  expect_equal(together(3, 20, {.every = 1, .most_imbalance = 0, .shift = 2}), alone(20));
+  expect_equal(together(3, 20, restless_cuts), alone(20));
 }
 
 /// MENISCUS_RANK_STEPS=7500 is a minute.
@@ -110,7 +85,7 @@ TEST(SharedWorld, KeepsEachParticleOnce) {
   const int steps = set ? std::atoi(set) : 60;
   std::vector<ParticleId> ids;
   const auto errors = share(
-      3, {.every = 1, .most_imbalance = 0, .shift = 2}, [] { return broken_dam(narrow); },
+      3, restless_cuts, [] { return broken_dam(narrow); },
       [&](World& world) {
         const std::size_t count = world.particle_count();
         for (int k = 0; k < steps; ++k) world.step(frame);
@@ -133,15 +108,16 @@ TEST(SharedWorld, RefusesByNameWhatItCannotHave) {
     expect_error(ErrorCode::invalid_argument, named, [&] { SharedWorld(world, *ranks[0]); });
     EXPECT_NO_THROW(world.step(frame));
   };
-  refuses("no bodies", [](World& world) {
+  refuses("needs WorldDef::sums = fixed for its bodies", [](World& world) {
     BodyDef body;
     body.pose.position = {0.3f, 2, 0.3f};
     world.create_body(body);
   });
-  refuses("no emitters", [](World& world) {
+  refuses("no emitters with EmitterDef::mode = imposed", [](World& world) {
     EmitterDef emitter;
     emitter.fluid = world.fluid_ids()[0];
     emitter.pose.position = {0.3f, 2, 0.3f};
+    emitter.mode = EmitterMode::imposed;
     world.create_emitter(emitter);
   });
   refuses("no fluids with FluidDef::dynamic_viscosity", [](World& world) {
@@ -151,17 +127,10 @@ TEST(SharedWorld, RefusesByNameWhatItCannotHave) {
   });
   refuses("no hooks", [](World& world) { world.add_hook(Hook::solved, [](const SubstepView&) {}); });
   refuses("no granular materials", [](World& world) { world.create_granular({}); });
-  refuses("no probes", [](World& world) { world.create_probe({}); });
   refuses("no ropes", [](World& world) {
     RopeDef rope;
     rope.points = {{0, 2, 0}, {0, 2.2f, 0}};
     world.create_rope(rope);
-  });
-  refuses("no sinks", [](World& world) {
-    SinkDef sink;
-    sink.region = BallRegion{0.1f};
-    sink.pose.position = {0, 5, 0};
-    world.create_sink(sink);
   });
   refuses("no force fields", [](World& world) {
     ForceFieldDef pull;
@@ -188,7 +157,7 @@ TEST(SharedWorld, GoesOnFromAFileAloneAndOnOtherRanks) {
   const std::string file = testing::TempDir() + "/shared.menisnap";
   uint64_t expected = 0;
   auto errors = share(
-      3, {.every = 1, .most_imbalance = 0, .shift = 2}, [] { return broken_dam(narrow); },
+      3, restless_cuts, [] { return broken_dam(narrow); },
       [&](World& world) {
         tests::run(world, 5, frame);
         world.save(file);
@@ -264,31 +233,9 @@ TEST(SharedWorld, NeedsThreeLayersARank) {
     EXPECT_NE(error.find("8 ranks need 3 each"), std::string::npos) << error;
 }
 
-/// A rank fails at call after call of its transport. All ranks end, and all errors name it or are its own.
 TEST(SharedWorld, AFailureOfOneRankEndsAll) {
-  for (int call = 1; call < 40; call += 3) {
-    SCOPED_TRACE(call);
-    const auto ranks = make_thread_ranks(3);
-    std::vector<std::string> errors(3);
-    const auto run = [&](int r) {
-      FailingRanks failing(*ranks[static_cast<size_t>(r)], r == 1 ? call : 0,
-                           [] { throw Error(ErrorCode::device, "the test has cut the line"); });
-      try {
-        World world = broken_dam(narrow);
-        SharedWorld shared(world, failing);
-        shared.leads() ? tests::run(world, 5, frame) : static_cast<void>(shared.follow());
-      } catch (const std::exception& error) {
-        errors[static_cast<size_t>(r)] = error.what();
-      }
-    };
-    {
-      std::jthread first(run, 1), second(run, 2);
-      run(0);
-    }
-    EXPECT_NE(errors[0].find("rank 1 failed: the test has cut the line"), std::string::npos) << errors[0];
-    EXPECT_NE(errors[1].find("the test has cut the line"), std::string::npos) << errors[1];
-    EXPECT_NE(errors[2].find("rank 1 failed: the test has cut the line"), std::string::npos) << errors[2];
-  }
+  for (int call = 1; call < 40; call += 3)
+    expect_failure_to_end_all([] { return broken_dam(narrow); }, call, 5);
 }
 
 }  // namespace
