@@ -13,12 +13,14 @@
 #include "cloth/self_contact/ccd_failsafe.h"
 #include "cloth/self_contact/find.h"
 #include "cloth/self_contact/groups.h"
+#include "cloth/self_contact/lessons.h"
 #include "cloth/self_contact/narrow.h"
 #include "cloth/self_contact/self_contacts.h"
 #include "cloth/self_contact/solve.h"
 #include "cloth/self_contact/tuning.h"
 #include "pbd/device/launch_size.h"
 #include "pbd/filter.h"
+#include "pbd/repeated.h"
 #include "pbd/surface_tree/surface_tree.inl"
 
 namespace meniscus::cloth {
@@ -42,23 +44,25 @@ void SelfContacts<D>::list_pairs(pbd::Substep<D>& substep) {
   const Listing listing{counters_.view()};
   device_.parallel_for("self contacts/frames", static_cast<uint32_t>(pieces_.size()),
                        ChooseFrames{counters_.view(), surroundings(), pieces_.view(), frame_of_.view(),
-                                    cell_of_.view(), static_cast<uint32_t>(frames_.size()), one_frame_});
-  device_.parallel_for("self contacts/keep", vertices_,
-                       CandidateLifetime{listing, previous, foreseen_.view(), vertex_piece_.view(),
-                                         frame_of_.view(), pieces_.view(), strayed_.view(), surroundings(),
-                                         frames_.view(), kept_.view(), wide_.view(), counters_.view()});
+                                    cell_of_.view(), of_world_, one_frame_.view()});
+  device_.parallel_for(
+      "self contacts/keep", vertices_,
+      CandidateLifetime{listing, previous, foreseen_.view(), vertex_piece_.view(), frame_of_.view(),
+                        pieces_.view(), strayed_.view(), surroundings(), frames_.view(), kept_.view(),
+                        wide_.view(), counters_.view(), of_world_});
   tree_.refit(KeptBoxes{listing, {kept_.view()}});
-  if (frames_.size() > 1) tree_.refit_before(KeptBoxesBefore{listing, {kept_.view()}, frames()});
+  if (of_world_.frames > 1) tree_.refit_before(KeptBoxesBefore{listing, {kept_.view()}, frames()});
   const pbd::SurfaceTreeView tree = tree_.view();
-  device_.parallel_for_groups(
-      "self contacts/cones", blocks_of<ConeScratch>(),
-      FitCones{listing, tree, pieces_.view(), previous, foreseen_.view(), cones_.view(), rough_.view()});
+  device_.parallel_for_groups("self contacts/cones", blocks_of<ConeScratch>(),
+                              FitCones{listing, tree, pieces_.view(), previous, foreseen_.view(),
+                                       cones_.view(), rough_.view(), of_world_.groups});
   device_.parallel_for_groups("self contacts/groups", tree.groups_of(1),
                               FindGroups{listing, tree, pieces_.view(), cell_of_.view(), sheets(), pairs()});
   constexpr uint32_t each = CandidateScratch::pairs;
-  const uint32_t blocks = (launched(group_pairs, group_pairs_.size()) + each - 1) / each;
-  device_.parallel_for_groups("self contacts/candidates", blocks,
-                              FindCandidates{listing, cloth(substep), pairs(), candidates_.view(), blocks});
+  const uint32_t blocks = std::max(1u, (launched(group_pairs, group_pairs_.size()) + each - 1) / each);
+  device_.parallel_for_groups(
+      "self contacts/candidates", worlds_ * blocks,
+      FindCandidates{listing, cloth(substep), pairs(), candidates_.view(), worlds_, blocks});
 }
 
 template <class D>
@@ -78,32 +82,32 @@ void SelfContacts<D>::find_pairs(pbd::Substep<D>& substep) {
   using self_contact_tuning::separation_time;
   const pbd::ParticleView& p = substep.particles;
   sum_surroundings(substep);
-  device_.parallel_for(
-      "self contacts/foresee", vertices_,
-      Foresee{vertices_of(p.previous, p.sorted, vertices_),
-              vertices_of(p.position, p.sorted, vertices_),
-              vertex_piece_.view(),
-              pieces_.view(),
-              strayed_.view(),
-              frames(),
-              surroundings(),
-              kept_.view(),
-              wide_.view(),
-              foreseen_.view(),
-              impact_zones(),
-              piece_sums(),
-              folds(),
-              entries_.view(),
-              counters_.view(),
-              {static_cast<uint32_t>(group_pairs_.size()), static_cast<uint32_t>(candidates_.size()),
-               static_cast<uint32_t>(corners_.size())},
-              std::exchange(anew_, false),
-              lasts_one_substep_});
+  device_.parallel_for("self contacts/foresee", vertices_,
+                       Foresee{vertices_of(p.previous, p.sorted, vertices_),
+                               vertices_of(p.position, p.sorted, vertices_),
+                               vertex_piece_.view(),
+                               pieces_.view(),
+                               strayed_.view(),
+                               frames(),
+                               surroundings(),
+                               kept_.view(),
+                               wide_.view(),
+                               foreseen_.view(),
+                               impact_zones(),
+                               piece_sums(),
+                               folds(),
+                               entries_.view(),
+                               counters_.view(),
+                               of_world_,
+                               {room_of_world(group_pairs_.size()), room_of_world(candidates_.size()),
+                                room_of_world(corners_.size())},
+                               std::exchange(anew_, false),
+                               lasts_one_substep_.view()});
   list_pairs(substep);
   const uint32_t blocks = launched(candidates, candidates_.size()) / threads_together + 1;
-  device_.parallel_for_groups("self contacts/contacts", blocks,
+  device_.parallel_for_groups("self contacts/contacts", worlds_ * blocks,
                               MakeContacts{cloth(substep), candidates_.view(), rest_, list(), entries_.view(),
-                                           substep.dt / separation_time, blocks});
+                                           substep.dt / separation_time, worlds_, blocks});
 }
 
 template <class D>
@@ -114,13 +118,13 @@ void SelfContacts<D>::project(pbd::Substep<D>& substep, int iteration) {
   const pbd::ParticleView& p = substep.particles;
   const View<Vec4> position = vertices_of(p.position, p.sorted, vertices_);
   const PushSums sums{push_sums_.view(), unit_};
-  const uint32_t threads = launched(contacts, corners_.size());
-  const PushApart push{list(),          position, vertices_of(p.previous, p.sorted, vertices_),
-                       entries_.view(), sums,     threads};
+  const uint32_t threads = std::max(1u, launched(contacts, corners_.size()));
+  const PushApart push{list(),  position, vertices_of(p.previous, p.sorted, vertices_), entries_.view(), sums,
+                       worlds_, threads};
   const MoveVertices move{entries_.view(), position, vertices_of(p.accumulated_delta, p.sorted, vertices_),
                           sums};
   for (int sweep = 0; sweep < self_contact_tuning::sweeps; ++sweep) {
-    device_.parallel_for("self contacts/push", threads, push);
+    device_.parallel_for("self contacts/push", worlds_ * threads, push);
     device_.parallel_for("self contacts/move", vertices_, move);
   }
 }
@@ -144,34 +148,32 @@ void SelfContacts<D>::join_crossings(pbd::Substep<D>& substep) {
                                accumulated_delta,
                                strayed_.view(),
                                own_motion(),
-                               counters_.view()});
-  const uint32_t most = std::max(launched(candidates, candidates_.size()), vertices_);
-  const uint32_t blocks = std::min(most, most_threads) / threads_together + 1;
+                               counters_.view(),
+                               of_world_.vertices});
+  const uint32_t most = std::max(launched(candidates, candidates_.size()), of_world_.vertices);
+  const uint32_t blocks = std::min(most, most_threads / worlds_) / threads_together + 1;
   for (uint32_t round = 0; round < rounds_; ++round) {
     device_.parallel_for_groups("self contacts/folds", blocks_of<FoldScratch>(),
                                 FindFolds{cloth(substep), sheets(), impact_zones(), folds(), round});
-    device_.parallel_for_groups("self contacts/crossings", blocks,
-                                FindCrossings{cloth(substep), candidates_.view(), sheets(), impact_zones(),
-                                              own_motion(), folds(), round, blocks, least_distance_});
-    device_.parallel_for("self contacts/zones", vertices_,
-                         GatherImpactZones{previous, position, impact_zones(), counters_.view(), round});
-    device_.parallel_for("self contacts/move zones", vertices_,
-                         MoveImpactZones{cloth(substep),
-                                         substep.contacts,
-                                         p.sorted,
-                                         position,
-                                         accumulated_delta,
-                                         impact_zones(),
-                                         own_motion(),
-                                         {foreseen_.view(), counters_.view()},
-                                         counters_.view(),
-                                         round});
+    device_.parallel_for_groups(
+        "self contacts/crossings", worlds_ * blocks,
+        FindCrossings{cloth(substep), candidates_.view(), sheets(), impact_zones(), own_motion(), folds(),
+                      worlds_, round, blocks, least_distance_});
+    device_.parallel_for(
+        "self contacts/zones", vertices_,
+        GatherImpactZones{previous, position, impact_zones(), counters_.view(), of_world_.vertices, round});
+    device_.parallel_for(
+        "self contacts/move zones", vertices_,
+        MoveImpactZones{cloth(substep), substep.contacts, p.sorted, position, accumulated_delta,
+                        impact_zones(), own_motion(), foreseen_.view(), counters_.view(), round});
   }
   device_.parallel_for_groups("self contacts/lost", blocks_of<LostScratch>(),
                               SumLost{cloth(substep), foreseen_.view(), piece_sums(), counters_.view()});
-  device_.parallel_for("self contacts/transfer", std::max<uint32_t>(vertices_, counter_count),
+  const auto all_counters = static_cast<uint32_t>(counters_.size());
+  device_.parallel_for("self contacts/transfer", std::max(vertices_, all_counters),
                        TransferPush{vertex_piece_.view(), position, accumulated_delta, piece_sums(),
-                                    counters_.view(), found_.view()});
+                                    counters_.view(), found_by_world_.view(), of_world_.vertices});
+  device_.parallel_for("self contacts/found", all_counters, NoteFound{found_by_world_.view(), found_.view()});
 }
 
 // ---- room ----
@@ -187,6 +189,7 @@ uint32_t SelfContacts<D>::used_rounds() const {
 template <class D>
 void SelfContacts<D>::start_step() {
   forget_found();
+  found_by_world_.fill(0);
   learned_ = false;
 }
 
@@ -201,22 +204,21 @@ void SelfContacts<D>::forget_found() {
 template <class D>
 void SelfContacts<D>::learn() {
   using namespace self_contact_kernels;
-  if (std::exchange(learned_, true)) return;
+  if (std::exchange(learned_, true) || idle()) return;
   // Rounds that the last step did not use are dropped one by one. A superfluous round costs little. A
   // repeated step costs as much as the step itself.
-  if (!idle())
-    rounds_ =
-        std::min(most_rounds, std::max({self_contact_tuning::first_rounds,
-                                        used_rounds() + self_contact_tuning::spare_rounds, rounds_ - 1}));
-  if (found(frames_meet) == 0 && found(cells_meet) == 0) one_frame_ = false;
-  lasts_one_substep_ = 2 * one_substep_listings() > listings();
+  rounds_ = std::min(most_rounds, std::max({self_contact_tuning::first_rounds,
+                                            used_rounds() + self_contact_tuning::spare_rounds, rounds_ - 1}));
+  device_.parallel_for("self contacts/learn", worlds_,
+                       Learn{found_by_world_.view(), lasts_one_substep_.view(), one_frame_.view()});
 }
 
 template <class D>
 bool SelfContacts<D>::lists_had_room() const {
   using namespace self_contact_kernels;
-  return found(group_pairs) <= group_pairs_.size() && found(candidates) <= candidates_.size() &&
-         found(contacts) <= corners_.size();
+  return found(group_pairs) <= room_of_world(group_pairs_.size()) &&
+         found(candidates) <= room_of_world(candidates_.size()) &&
+         found(contacts) <= room_of_world(corners_.size());
 }
 
 template <class D>
@@ -229,13 +231,16 @@ template <class D>
 void SelfContacts<D>::make_room() {
   using namespace self_contact_kernels;
   const bool is_complete = lists_had_room();
-  const auto more = [](uint32_t found) { return found + found / 8; };
-  if (found(group_pairs) > group_pairs_.size()) group_pairs_.resize_or_stay(more(found(group_pairs)));
-  if (found(candidates) > candidates_.size()) candidates_.resize_or_stay(more(found(candidates)));
-  if (found(contacts) > corners_.size()) reserve_contacts(more(found(contacts)));
+  const auto more = [&](uint32_t found) { return worlds_ * size_t{found + found / 8}; };
+  const auto lacks = [&](uint32_t found, size_t room) { return found > room_of_world(room); };
+  if (lacks(found(group_pairs), group_pairs_.size())) group_pairs_.resize_or_stay(more(found(group_pairs)));
+  if (lacks(found(candidates), candidates_.size())) candidates_.resize_or_stay(more(found(candidates)));
+  if (lacks(found(contacts), corners_.size())) reserve_contacts(static_cast<uint32_t>(more(found(contacts))));
   if (!is_complete) return;  // what the pairs showed depends on which of them had room
   if (ran_short()) rounds_ = more_rounds();
-  if (found(frames_meet) > 0) one_frame_ = true;
+  if (found(frames_meet) > 0)
+    device_.parallel_for("self contacts/unite frames", worlds_,
+                         UniteFrames{found_by_world_.view(), one_frame_.view()});
 }
 
 template <class D>
@@ -252,11 +257,17 @@ void SelfContacts<D>::reserve_contacts(uint32_t capacity) {
 template <class D>
 void SelfContacts<D>::set_surface(std::span<const pbd::SurfaceTriangle> triangles, std::span<const Vec3> rest,
                                   pbd::View<const Vec3> device_rest, std::span<const ContactPiece> pieces,
-                                  float heaviest) {
+                                  float heaviest, uint32_t worlds) {
   learn();
   if (!any_meet(pieces)) triangles = {};
-  tree_.set_surface(triangles, rest);
-  const SelfContactTables tables = build_tables(tree_.triangles(), rest, pieces.size());
+  const bool forgets = idle() || worlds != worlds_;
+  worlds_ = worlds;
+  of_world_.vertices = static_cast<uint32_t>(rest.size());
+  of_world_.pieces = static_cast<uint32_t>(pieces.size());
+  tree_.set_surface(triangles, rest, {worlds, of_world_.vertices, of_world_.pieces});
+  of_world_.groups = tree_.places() / 8;
+  const SelfContactTables tables =
+      of_worlds(build_tables(tree_.triangles(), rest, pieces.size()), of_world_.pieces, worlds);
   const auto upload = [](auto& buffer, const auto& values) {
     buffer.resize_discard(values.size());
     buffer.write(values);
@@ -267,8 +278,8 @@ void SelfContacts<D>::set_surface(std::span<const pbd::SurfaceTriangle> triangle
   upload(neighbours_, tables.neighbours);
   set_pieces(pieces, tables.fineness);
   rest_ = device_rest;
-  vertices_ = static_cast<uint32_t>(rest.size());
-  groups_ = tree_.places() / 8;
+  vertices_ = worlds * of_world_.vertices;
+  groups_ = worlds * of_world_.groups;
   // The integer sums hold displacements up to about 2¹³ m of the heaviest vertex, in units far below a
   // float's precision.
   unit_ = std::ldexp(1.0f, std::ilogb(heaviest > 0 ? heaviest : 1.0f) - 49);
@@ -291,8 +302,14 @@ void SelfContacts<D>::set_surface(std::span<const pbd::SurfaceTriangle> triangle
   entries_.resize_discard(vertices_);
   push_sums_.resize_discard(3 * size_t{vertices_});
   push_sums_.fill(0);
-  counters_.resize_discard(self_contact_kernels::counter_count);
+  counters_.resize_discard(worlds * self_contact_kernels::counter_count);
   counters_.fill(0);
+  found_by_world_.resize_discard(counters_.size());
+  found_by_world_.fill(0);
+  for (pbd::Buffer<uint8_t>* flags : {&lasts_one_substep_, &one_frame_}) {
+    flags->resize_discard(worlds);
+    if (forgets) flags->fill(0);
+  }
   if (found_.host().empty()) {
     found_.resize_discard(self_contact_kernels::counter_count);
     std::fill(found_.host().begin(), found_.host().end(),
@@ -301,9 +318,9 @@ void SelfContacts<D>::set_surface(std::span<const pbd::SurfaceTriangle> triangle
   forget_found();
   strayed_.fill(0);
   if (group_pairs_.size() < 2 * size_t{groups_}) group_pairs_.resize_discard(2 * size_t{groups_});
-  const uint32_t least_candidates = std::max(256u, vertices_ / 4);
+  const uint32_t least_candidates = worlds * std::max(256u, of_world_.vertices / 4);
   if (candidates_.size() < least_candidates) candidates_.resize_discard(least_candidates);
-  const uint32_t least_contacts = std::max(256u, vertices_ / 16);
+  const uint32_t least_contacts = worlds * std::max(256u, of_world_.vertices / 16);
   if (corners_.size() < least_contacts) reserve_contacts(least_contacts);
 }
 
@@ -330,25 +347,25 @@ void SelfContacts<D>::set_pieces(std::span<const ContactPiece> pieces, std::span
     rows.push_back({p.thickness, p.friction, p.filter.groups, p.filter.mask, p.self,
                     self_contact_tuning::nearness * least});
   }
-  pieces_.resize_discard(rows.size());
-  pieces_.write(rows);
+  pbd::write_repeated(pieces_, std::span<const self_contact_kernels::PieceProperties>(rows), worlds_);
   set_frames(rows.size());
-  piece_sums_.resize_discard(4 * rows.size());
+  piece_sums_.resize_discard(4 * pieces_.size());
 }
 
 template <class D>
 void SelfContacts<D>::set_frames(size_t pieces) {
-  frames_.resize_discard(std::min<size_t>(pieces, self_contact_tuning::most_frames));
-  frame_of_.resize_discard(pieces);
-  cell_of_.resize_discard(pieces);
-  const size_t rows = pieces + frames_.size();
+  of_world_.frames = static_cast<uint32_t>(std::min<size_t>(pieces, self_contact_tuning::most_frames));
+  frames_.resize_discard(worlds_ * of_world_.frames);
+  frame_of_.resize_discard(worlds_ * pieces);
+  cell_of_.resize_discard(worlds_ * pieces);
+  const size_t rows = frame_of_.size() + frames_.size();
   displacement_sums_.resize_discard(4 * rows);
   immovable_.resize_discard(6 * rows);
   movable_.resize_discard(6 * rows);
   for (pbd::Buffer<uint32_t>* buffer : {&frame_of_, &cell_of_, &immovable_, &movable_}) buffer->fill(0);
   frames_.fill(0);
   displacement_sums_.fill(0);
-  tree_.reserve_before(frames_.size() > 1);
+  tree_.reserve_before(of_world_.frames > 1);
 }
 
 template <class D>
@@ -376,7 +393,8 @@ self_contact_kernels::ClothState SelfContacts<D>::cloth(const pbd::Substep<D>& s
           features_.view(),
           pieces_.view(),
           rough_.view(),
-          frames()};
+          frames(),
+          of_world_};
 }
 
 template <class D>
@@ -424,7 +442,7 @@ self_contact_kernels::PieceSums SelfContacts<D>::piece_sums() {
 
 template <class D>
 self_contact_kernels::Folds SelfContacts<D>::folds() {
-  return {fold_state_.view(), fold_noted_.view(), fold_list_.view(), counters_.view()};
+  return {fold_state_.view(), fold_noted_.view(), fold_list_.view(), counters_.view(), of_world_.groups};
 }
 
 template <class D>
@@ -432,9 +450,17 @@ self_contact_kernels::ContactList SelfContacts<D>::list() {
   return {corners_.view(), plane_.view(), multiplier_.view(), weights_.view(), counters_.view()};
 }
 
+/// For each world.
 template <class D>
 uint32_t SelfContacts<D>::launched(uint32_t counter, size_t capacity) {
-  return pbd::launch_size<D>(counters_.view()[counter], capacity, most_threads);
+  uint32_t most = 0;
+  if constexpr (!D::runs_at_once) {
+    for (uint32_t w = 0; w < worlds_; ++w)
+      most = std::max(most, counters_.view()[w * self_contact_kernels::counter_count + counter]);
+  }
+  return pbd::launch_size<D>(most, room_of_world(capacity), std::max(1u, most_threads / worlds_));
 }
 
 }  // namespace meniscus::cloth
+
+#include "cloth/self_contact/self_contact_worlds.inl"
