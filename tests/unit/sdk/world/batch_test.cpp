@@ -45,6 +45,18 @@ TEST_P(BatchTest, SoItIsAtAnyPlaceAmongMany) {
   expect_as_alone(many(), 3, 2, 25);
 }
 
+/// Their tables of cells are as small as they may be.
+TEST_P(BatchTest, WorldsOfFewParticlesAreAsTheyAreAlone) {
+  World drop(def());
+  const FluidId water = drop.create_fluid({});
+  drop.create_shape(tank({0, 0, 0}, {1, 1, 0.5f}));
+  drop.add_fluid(block(water, {0.15f, 0.4f, 0.1f}, {0.45f, 0.6f, 0.4f}));
+  WorldBatch made(drop, {32});
+  run_batch(made, 80);
+  run(drop, 80, dt);
+  EXPECT_EQ(made.state_hashes()[31], drop.state_hash());
+}
+
 TEST_P(BatchTest, StartsInAnyState) {
   World world = archetype(def());
   run(world, 12, dt);
