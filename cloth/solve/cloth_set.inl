@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "cloth/build/of_worlds.h"
 #include "cloth/build/tethers.h"
 #include "cloth/solve/chain_kernel.h"
 #include "cloth/solve/cloth_set.h"
 #include "cloth/solve/colour_kernel.h"
 #include "cloth/solve/load_kernels.h"
+#include "cloth/solve/of_worlds.h"
 #include "cloth/solve/sweep_kernel.h"
 #include "cloth/solve/tear_kernels.h"
 #include "cloth/solve/tether_kernels.h"

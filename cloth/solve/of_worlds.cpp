@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Repeats the constraints of one world for all worlds of a batch.
-#include "cloth/build/of_worlds.h"
+#include "cloth/solve/of_worlds.h"
 
 #include "pbd/repeated.h"
 
