@@ -67,7 +67,8 @@ void SelfContacts<D>::set_surface(std::span<const pbd::SurfaceTriangle> triangle
   counters_.resize_discard(worlds * self_contact_kernels::counter_count);
   counters_.fill(0);
   found_by_world_.resize_discard(counters_.size());
-  found_by_world_.fill(0);
+  most_found_.resize_discard(worlds > 1 ? counters_.size() / worlds : 0);
+  for (pbd::Buffer<uint32_t>* found : {&found_by_world_, &most_found_}) found->fill(0);
   for (pbd::Buffer<uint8_t>* flags : {&lasts_one_substep_, &one_frame_}) {
     flags->resize_discard(worlds);
     if (forgets) flags->fill(0);

@@ -175,7 +175,8 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   pbd::Buffer<int64_t> push_sums_{device_, "cloth contact pushes"};
   pbd::Buffer<uint32_t> counters_{device_, "cloth contact counters"};
   pbd::SharedBuffer<uint32_t> found_{device_, "cloth contact counts"};  // of the world with most
-  pbd::Buffer<uint32_t> found_by_world_{device_, "cloth contact counts"};
+  pbd::Buffer<uint32_t> found_by_world_{device_, "cloth contact counts"},
+      most_found_{device_, "cloth contact counts"};
   // By world: whether most lists of the last step were made for one substep only; whether all pieces have one
   // frame, as long as some that move differently are near.
   pbd::Buffer<uint8_t> lasts_one_substep_{device_, "cloth contact flags"},

@@ -171,7 +171,13 @@ void SelfContacts<D>::join_crossings(pbd::Substep<D>& substep) {
   device_.parallel_for("self contacts/transfer", std::max(vertices_, all_counters),
                        TransferPush{vertex_piece_.view(), position, accumulated_delta, piece_sums(),
                                     counters_.view(), found_by_world_.view(), of_world_.vertices});
-  device_.parallel_for("self contacts/found", all_counters, NoteFound{found_by_world_.view(), found_.view()});
+  // A GPU reads the host's memory slowly, so only one counter of each kind is compared there.
+  const bool is_batch = worlds_ > 1;
+  if (is_batch)
+    device_.parallel_for("self contacts/most", all_counters,
+                         NoteFound{found_by_world_.view(), most_found_.view()});
+  device_.parallel_for("self contacts/found", counter_count,
+                       NoteFound{is_batch ? most_found_.view() : found_by_world_.view(), found_.view()});
 }
 
 // ---- room ----
@@ -188,6 +194,7 @@ template <class D>
 void SelfContacts<D>::start_step() {
   forget_found();
   found_by_world_.fill(0);
+  most_found_.fill(0);
   learned_ = false;
 }
 
