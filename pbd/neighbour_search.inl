@@ -186,6 +186,17 @@ struct ListNeighbours {
   }
 };
 
+/// The axis with the most bits, of those that may have fewer. A row that is too short holds cells twice
+/// within reach of a point, and its order then depends on the table.
+inline size_t axis_to_narrow(const std::array<uint32_t, 3>& bits) {
+  size_t axis = 0;
+  for (size_t k = 1; k < 3; ++k) {
+    const bool is_least = axis == 0 && bits[0] <= GridView::least_bits_x;
+    if (bits[k] > GridView::least_bits && (is_least || bits[k] > bits[axis])) axis = k;
+  }
+  return axis;
+}
+
 /// Cells of a table for so many particles.
 inline uint32_t table_for(uint32_t count, uint32_t least) {
   uint32_t cells = least;
@@ -318,7 +329,7 @@ void NeighbourSearch<D>::shape(const Aabb& extent, uint32_t count, uint32_t most
     is_coarse_ = !device_.fixes_sums() && count > D::most_teams && bits[0] + bits[1] + bits[2] <= most_bits &&
                  Surroundings::slack_at(far) < search_tuning::most_coarse_slack;
   }
-  while (bits[0] + bits[1] + bits[2] > most_bits) --*std::ranges::max_element(bits);
+  while (bits[0] + bits[1] + bits[2] > most_bits) --bits[axis_to_narrow(bits)];
   grid_.bits_x = bits[0];
   grid_.bits_y = bits[1];
   grid_.bits_z = bits[2];

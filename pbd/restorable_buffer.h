@@ -30,6 +30,8 @@ class RestorableBuffer {
     saving_ = false;
   }
   void save() { saving_ = true; }
+  /// The values of save().
+  View<T> saved() { return (saving_ ? pair_.current : saved_).view(); }
   void restore() {
     if (!saving_) pair_.current.swap(saved_);
     saving_ = false;

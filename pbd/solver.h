@@ -12,6 +12,7 @@
 
 #include "pbd/contact_arrays.h"
 #include "pbd/external_forces.h"
+#include "pbd/kept_vertices.h"
 #include "pbd/math/periodic_axes.h"
 #include "pbd/neighbour_search.h"
 #include "pbd/rank_exchange.h"
@@ -90,10 +91,14 @@ class Solver {
   /// The particles [first, first + count) are new, or all were changed from outside.
   void particles_changed(uint32_t first, uint32_t count);
   // A batch of worlds (worlds.h). It starts as one world, which is reset into all.
-  /// Makes `worlds` of the present particles. There must be no vertices and no periodic axes. From then on a
-  /// step with particles that are not finite is not undone: undo_worlds() does that, for their worlds alone.
+  /// Keeps the present state, to which worlds are reset. Its vertices belong to so many pieces of cloth.
+  void keep_world(uint32_t pieces);
+  /// Makes room for `worlds` of the kept one, without periodic axes. Then set the vertices of all worlds, and
+  /// reset them. From then on a step with particles that are not finite is not undone: undo_worlds() does
+  /// that, for their worlds alone.
   void make_worlds(uint32_t worlds);
   uint32_t worlds() const { return worlds_; }
+  uint32_t vertices_of_world() const { return particles_.vertices() / worlds_; }
   /// m/s², by world; empty: all have that of the parameters.
   void set_gravities(View<const Vec4> gravities) { gravities_ = gravities; }
   /// The kept state, with its multipliers.
@@ -209,6 +214,7 @@ class Solver {
   uint32_t all_particles_ = 0;               // of all ranks
   uint32_t rank_ghosts_ = 0;
   KeptWorld<D> kept_world_;
+  KeptVertices<D> kept_vertices_;
   std::vector<ConstraintSet<D>*> sets_;
   size_t started_ = 0;  // sets whose start_step() was called in this step
   std::vector<VelocityPass<D>*> passes_;

@@ -32,12 +32,17 @@ struct Prediction {
   View<const Vec4> position, velocity;
   Vec3 gravity;
   float dt;
-  View<const Vec4> limited{};  ///< the same, with the motions that were limited
-  View<const Vec4> changes{};  ///< Δv of external forces, if there are any
-  WorldGravities gravities{};  ///< in place of `gravity`, where worlds have their own
+  View<const Vec4> limited{};         ///< the same, with the motions that were limited
+  View<const Vec4> changes{};         ///< Δv of external forces, if there are any
+  WorldGravities gravities{};         ///< in place of `gravity`, where worlds have their own
+  WorldGravities vertex_gravities{};  ///< likewise, by vertex
+  uint32_t sorted = ~0u;              ///< see ParticleView; for these
 
+  MENISCUS_HD Vec3 gravity_of(uint32_t i) const {
+    return i < sorted ? gravities.of(i, gravity) : vertex_gravities.of(i - sorted, gravity);
+  }
   MENISCUS_HD Vec3 velocity_of(uint32_t i, const Vec4& x, const Vec4& v) const {
-    const Vec3 fallen = drawn(x, v, gravities.of(i, gravity), dt);
+    const Vec3 fallen = drawn(x, v, gravity_of(i), dt);
     return changes.count ? fallen + load(changes, i).xyz() : fallen;
   }
   MENISCUS_HD Vec4 unlimited(uint32_t i) const {

@@ -27,11 +27,11 @@ struct Wind {
   bool gusty = false;
 
   template <class R>
-  MENISCUS_HD pbd::Vec3Of<R> at(const pbd::Vec3Of<R>& x, float time) const {
+  MENISCUS_HD pbd::Vec3Of<R> at(const pbd::Vec3Of<R>& x, const R& time) const {
     const auto each = [](Vec3 a) { return pbd::Vec3Of<R>{R(a.x), R(a.y), R(a.z)}; };
     pbd::Vec3Of<R> v = each(velocity);
     if (!gusty) return v;
-    for (const Gust& g : gusts) v += sine(dot(g.wave, x) - R(g.rate * time) + R(g.phase)) * each(g.amplitude);
+    for (const Gust& g : gusts) v += sine(dot(g.wave, x) - R(g.rate) * time + R(g.phase)) * each(g.amplitude);
     return v;
   }
 };

@@ -50,27 +50,32 @@ struct Foresee {
   ImpactZones impact_zones;
   PieceSums sums;
   Folds folds;
-  View<uint32_t> entries, counters;
-  Room room_for;
-  bool anew;                   // search in any case
-  bool begin_for_one_substep;  // if anew: search for one substep only, see CandidateLifetime
+  View<uint32_t> entries, all_counters;
+  OfWorld of_world;
+  Room room_for;                              // of a world
+  bool anew;                                  // search in any case
+  View<const uint8_t> begin_for_one_substep;  // by world; if anew: search for one substep only, see
+                                              // CandidateLifetime
 
   MENISCUS_HD void operator()(uint32_t v) const {
-    if (vertex_piece[v] != no_index) foresee(v);
+    const uint32_t world = v / of_world.vertices, thread = v % of_world.vertices;
+    const View<uint32_t> counters = counters_of(all_counters, world);
+    if (vertex_piece[v] != no_index) foresee(v, counters);
     impact_zones.begin(v);
-    folds.begin(v, vertex_piece.count);
-    for (uint32_t piece = v; piece < pieces.count; piece += vertex_piece.count) {
+    folds.begin(world, thread, of_world.vertices);
+    for (uint32_t k = thread; k < of_world.pieces; k += of_world.vertices) {
+      const uint32_t piece = world * of_world.pieces + k;
       sums.begin(piece);
       const float margin = self_contact_tuning::leeway * pieces[piece].thickness;
       if (!anew && !around.suits(piece, frames.at_piece(piece), margin))
         pbd::atomic_max(counters[expired], 1);
     }
     entries[v] = 0;
-    if (v != 0) return;
+    if (thread != 0) return;
     if (anew) {
       counters[listings] = counters[one_substep_listings] = counters[overflowed] = 0;
       counters[frames_meet] = counters[cells_meet] = 0;
-      counters[long_expired] = counters[age] = begin_for_one_substep;
+      counters[long_expired] = counters[age] = begin_for_one_substep[world];
     } else {
       if (!room_for.sufficed(counters)) counters[overflowed] = 1;
       if (counters[several_frames] != 0) pbd::atomic_max(counters[expired], 1);
@@ -80,7 +85,7 @@ struct Foresee {
     for (uint32_t round = 0; round < most_rounds; ++round) counters[crossings + round] = 0;
   }
 
-  MENISCUS_HD void foresee(uint32_t v) const {
+  MENISCUS_HD void foresee(uint32_t v, View<uint32_t> counters) const {
     const Vec3 x = position[v].xyz(), displacement = x - previous[v].xyz();
     const Vec4 frame = frames.at(v);
     const float room =
@@ -106,9 +111,12 @@ struct Foresee {
 /// Whether the pairs are to be listed again: where the lists have expired. A step that will be repeated lists
 /// nothing. With contacts missing, it would find more and more pairs, and make room for them.
 struct Listing {
-  View<const uint32_t> counters;
+  View<const uint32_t> counters;  // of all worlds
 
-  MENISCUS_HD bool wanted() const { return counters[expired] != 0 && counters[overflowed] == 0; }
+  MENISCUS_HD bool wanted(uint32_t world) const {
+    const View<const uint32_t> own = counters_of(counters, world);
+    return own[expired] != 0 && own[overflowed] == 0;
+  }
 };
 
 /// Chooses the motion bound of each vertex until the next search: a sphere around its expected motion, in the
@@ -125,20 +133,25 @@ struct CandidateLifetime {
   Surroundings around;
   View<Vec4> frames;      // chosen here
   View<Vec4> kept, wide;  // spheres: see MotionBounds; wide: for many substeps, whichever is kept
-  View<uint32_t> counters;
+  View<uint32_t> all_counters;
+  OfWorld of_world;
 
   MENISCUS_HD void operator()(uint32_t v) const {
-    if (!listing.wanted()) return;
-    if (vertex_piece[v] != no_index) keep(v);
-    for (uint32_t f = v; f < frames.count; f += vertex_piece.count)
+    const uint32_t world = v / of_world.vertices, thread = v % of_world.vertices;
+    if (!listing.wanted(world)) return;
+    const View<uint32_t> counters = counters_of(all_counters, world);
+    if (vertex_piece[v] != no_index) keep(v, counters);
+    for (uint32_t k = thread; k < of_world.frames; k += of_world.vertices) {
+      const uint32_t f = world * of_world.frames + k;
       frames[f] = around.frame(pieces.count + f);
-    if (v != 0) return;
+    }
+    if (thread != 0) return;
     counters[group_pairs] = counters[candidates] = 0;
     ++counters[listings];
-    if (is_for_one_substep()) ++counters[one_substep_listings];
+    if (is_for_one_substep(counters)) ++counters[one_substep_listings];
   }
 
-  MENISCUS_HD void keep(uint32_t v) const {
+  MENISCUS_HD void keep(uint32_t v, View<const uint32_t> counters) const {
     using namespace self_contact_tuning;
     // Not read from `frames`, which other threads write.
     const Vec4 frame = around.frame(pieces.count + frame_of[vertex_piece[v]]);
@@ -149,11 +162,12 @@ struct CandidateLifetime {
     const float substeps = pbd::clamp(furthest * thickness / pbd::max(far, 1e-30f), 1, longest);
     const float radius = 0.5f * substeps * far + room.whole() + leeway * thickness + to_and_fro * room.solve;
     wide[v] = sphere(moved + 0.5f * substeps * displacement, radius);
-    kept[v] = is_for_one_substep() ? sphere(moved + 0.5f * displacement, 0.5f * far + room.whole()) : wide[v];
+    kept[v] = is_for_one_substep(counters) ? sphere(moved + 0.5f * displacement, 0.5f * far + room.whole())
+                                           : wide[v];
   }
 
  private:
-  MENISCUS_HD bool is_for_one_substep() const {
+  MENISCUS_HD static bool is_for_one_substep(View<const uint32_t> counters) {
     return counters[several_frames] != 0 || (counters[long_expired] != 0 && counters[age] == 1);
   }
   MENISCUS_HD static Vec4 sphere(Vec3 centre, float radius) {
@@ -166,7 +180,7 @@ struct KeptBoxes {
   Listing listing;
   MotionBounds kept;
 
-  MENISCUS_HD bool wanted() const { return listing.wanted(); }
+  MENISCUS_HD bool wanted(uint32_t world) const { return listing.wanted(world); }
   MENISCUS_HD Aabb of(uint32_t v) const { return kept.box(v); }
 };
 
@@ -176,7 +190,9 @@ struct KeptBoxesBefore {
   MotionBounds kept;
   Frames frames;
 
-  MENISCUS_HD bool wanted() const { return listing.wanted() && listing.counters[several_frames] != 0; }
+  MENISCUS_HD bool wanted(uint32_t world) const {
+    return listing.wanted(world) && counters_of(listing.counters, world)[several_frames] != 0;
+  }
   MENISCUS_HD Aabb of(uint32_t v) const {
     const Vec3 motion = frames.at(v).xyz();
     const Aabb box = kept.box(v);

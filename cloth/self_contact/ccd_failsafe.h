@@ -24,18 +24,20 @@ struct Contain {
   View<Vec4> position, accumulated_delta;
   View<float> strayed;
   OwnMotion own_motion;
-  View<uint32_t> counters;
+  View<uint32_t> all_counters;
+  uint32_t vertices_of_world;
 
   MENISCUS_HD void operator()(uint32_t v) const {
-    if (v == 0) grow_old();
+    const View<uint32_t> counters = counters_of(all_counters, v / vertices_of_world);
+    if (v % vertices_of_world == 0) grow_old(counters);
     const uint32_t rows = frames.of_piece.count + frames.motion.count;
     for (uint32_t row = v; row < rows; row += vertex_piece.count) around.clear(row);
-    contain(v);
+    contain(v, counters);
     own_motion.begin(v, position[v]);
   }
 
  private:
-  MENISCUS_HD void contain(uint32_t v) const {
+  MENISCUS_HD void contain(uint32_t v, View<uint32_t> counters) const {
     if (vertex_piece[v] == no_index) return;
     const Vec4 x = position[v], ahead = foreseen[v];
     const Vec3 from = previous[v].xyz() + frames.at(v).xyz(), to = ahead.xyz();
@@ -52,7 +54,7 @@ struct Contain {
     accumulated_delta[v] = pbd::shifted(accumulated_delta[v], inside - x.xyz());
   }
   /// Expired lists have been made again.
-  MENISCUS_HD void grow_old() const {
+  MENISCUS_HD static void grow_old(View<uint32_t> counters) {
     counters[age] = counters[expired] != 0 ? 1 : counters[age] + 1;
     counters[expired] = counters[long_expired] = 0;
   }
@@ -78,9 +80,9 @@ struct SumLost {
 
   template <class Group>
   MENISCUS_HD void operator()(const Group& group, Scratch& scratch, uint32_t n) const {
-    if (counters[lost] == 0) return;
-    const uint32_t first = Scratch::groups * n, all = cloth.tree.triangles.count / 8;
-    const uint32_t count = all - first < Scratch::groups ? all - first : Scratch::groups;
+    const GroupRange range(n, Scratch::groups, cloth.of_world.groups);
+    if (counters_of(counters, range.world)[lost] == 0) return;
+    const uint32_t first = range.first, count = range.count;
     group.for_each(count, [&](uint32_t k) { sum(scratch, k, first + k); });
     // The first group of each piece adds up the groups of that piece which follow it.
     group.for_each(count, [&](uint32_t k) {
@@ -119,23 +121,40 @@ struct SumLost {
 
 /// Transfers the momentum of vertices that were rolled back to all vertices of their piece, whose positions
 /// do not change. This causes no relative motion within the piece. Given only to the vertices around, the
-/// momentum kept crumpled cloth stretched. Also records for the host the greatest counters of any substep, up
+/// momentum kept crumpled cloth stretched. Also records, by world, the greatest counters of any substep, up
 /// to the first one whose lists had no room, and the number of substeps in which the rounds did not suffice.
 struct TransferPush {
   View<const uint32_t> vertex_piece;
   View<const Vec4> position;     // by vertex
   View<Vec4> accumulated_delta;  // by vertex
   PieceSums sums;
-  View<const uint32_t> counters;
+  View<const uint32_t> counters;  // of all worlds
   View<uint32_t> found;
+  uint32_t vertices_of_world;
 
   /// Runs for each vertex and for each counter.
   MENISCUS_HD void operator()(uint32_t v) const {
-    if (v < counters.count && counters[overflowed] == 0 && found[v] < counters[v]) found[v] = counters[v];
-    if (v == given_up && counters[crossings + most_rounds - 1] != 0) ++found[v];
-    if (v >= vertex_piece.count || counters[lost] == 0) return;
+    if (v < counters.count) record(v, counters_of(counters, v / counter_count));
+    if (v >= vertex_piece.count || counters_of(counters, v / vertices_of_world)[lost] == 0) return;
     if (vertex_piece[v] == no_index || position[v].w == 0) return;
     accumulated_delta[v] = pbd::shifted(accumulated_delta[v], sums.displacement(vertex_piece[v]));
+  }
+
+ private:
+  MENISCUS_HD void record(uint32_t k, View<const uint32_t> own) const {
+    if (own[overflowed] == 0 && found[k] < counters[k]) found[k] = counters[k];
+    if (k % counter_count == given_up && own[crossings + most_rounds - 1] != 0) ++found[k];
+  }
+};
+
+/// The greatest counters of any world, for the host.
+struct NoteFound {
+  View<const uint32_t> by_world;
+  View<uint32_t> found;
+
+  MENISCUS_HD void operator()(uint32_t k) const {
+    uint32_t& greatest = found[k % counter_count];
+    if (pbd::atomic_load(greatest) < by_world[k]) pbd::atomic_max(greatest, by_world[k]);
   }
 };
 
@@ -163,46 +182,53 @@ struct FindCrossings {
   ImpactZones impact_zones;
   OwnMotion own_motion;
   Folds folds;
-  uint32_t round, stride;
+  uint32_t worlds;
+  uint32_t round;
+  uint32_t stride;  // groups of threads for each world
   /// m: a pair that is nearer than this hardly comes nearer still. A pair that is nearer than a tenth of it
   /// does not approach at all, as its distance would soon be lost in rounding.
   float least;
 
   template <class Group>
   MENISCUS_HD void operator()(const Group& group, Scratch& scratch, uint32_t n) const {
-    if (!is_round_needed(folds.counters, round)) return;
-    forget_sums(group, n);
-    Cull(listed(candidate_list, folds.counters[candidates]), n, stride)
+    const uint32_t world = n / stride, own = n % stride;
+    const View<uint32_t> counters = folds.counters_in(world);
+    if (!is_round_needed(counters, round)) return;
+    forget_sums(group, world, own);
+    const View<const FeatureCode> codes = part_of(candidate_list, world, candidate_list.count / worlds);
+    Cull(listed(codes, counters[candidates]), own, stride)
         .run(
-            group, scratch.cull, [&](uint32_t k) { return may_cross(load(candidate_list, k)); },
-            [&](uint32_t k) { check(cloth.corners_of(load(candidate_list, k))); });
-    check_folds(group, scratch, n);
+            group, scratch.cull, [&](uint32_t k) { return may_cross(load(codes, k)); },
+            [&](uint32_t k) { check(counters, cloth.corners_of(load(codes, k))); });
+    check_folds(group, scratch, world, own);
   }
 
  private:
   template <class Group>
-  MENISCUS_HD void forget_sums(const Group& group, uint32_t n) const {
+  MENISCUS_HD void forget_sums(const Group& group, uint32_t world, uint32_t n) const {
     constexpr uint32_t together = 128;
-    const uint32_t all = impact_zones.mark.count;
+    const uint32_t all = cloth.of_world.vertices, begin = world * all;
     for (uint32_t first = together * n; first < all; first += together * stride)
       group.for_each(all - first < together ? all - first : together,
-                     [&](uint32_t k) { impact_zones.forget_sums(first + k); });
+                     [&](uint32_t k) { impact_zones.forget_sums(begin + first + k); });
   }
 
   /// Checks the pairs that were left out because their sheets were smooth. They are few, and many threads
   /// share them: each group of threads takes every 32nd neighbour of a sheet's central group.
   template <class Group>
-  MENISCUS_HD void check_folds(const Group& group, Scratch& scratch, uint32_t n) const {
+  MENISCUS_HD void check_folds(const Group& group, Scratch& scratch, uint32_t world, uint32_t n) const {
     constexpr uint32_t groups_of_threads = 32;
-    for (uint32_t item = n; item < groups_of_threads * folds.counters[folded_sheets]; item += stride) {
-      const uint32_t g = folds.list[item / groups_of_threads], end = sheets.neighbour_start[g + 1];
+    const View<uint32_t> counters = folds.counters_in(world);
+    for (uint32_t item = n; item < groups_of_threads * counters[folded_sheets]; item += stride) {
+      const uint32_t g = folds.list_in(world)[item / groups_of_threads], end = sheets.neighbour_start[g + 1];
       for (uint32_t k = sheets.neighbour_start[g] + item % groups_of_threads; k < end; k += groups_of_threads)
-        check_two(group, scratch, g, sheets.neighbours[k]);
+        check_two(group, scratch, counters, g, sheets.neighbours[k]);
     }
   }
 
   template <class Group>
-  MENISCUS_HD void check_two(const Group& group, Scratch& scratch, uint32_t g, uint32_t other) const {
+  MENISCUS_HD void check_two(const Group& group, Scratch& scratch, View<uint32_t> counters, uint32_t g,
+                             uint32_t other) const {
     if (other < g || !(folds.has_changed(g, round) || folds.has_changed(other, round))) return;
     group.for_each(1, [&](uint32_t) { scratch.hit_count = scratch.code_count = 0; });
     group.for_each(8, [&](uint32_t k) {
@@ -218,7 +244,7 @@ struct FindCrossings {
         scratch.codes[place++] = found.code(two, pbd::lowest_bit(left));
     });
     group.for_each(scratch.code_count, [&](uint32_t n) {
-      if (may_cross(scratch.codes[n])) check(cloth.corners_of(scratch.codes[n]));
+      if (may_cross(scratch.codes[n])) check(counters, cloth.corners_of(scratch.codes[n]));
     });
   }
 
@@ -234,7 +260,7 @@ struct FindCrossings {
   MENISCUS_HD FeaturePair pair_of(const Corners& corners) const {
     return self_contact_kernels::pair_of(corners, cloth.previous, cloth.position);
   }
-  MENISCUS_HD void check(const Corners& corners) const {
+  MENISCUS_HD void check(View<uint32_t> counters, const Corners& corners) const {
     const FeaturePair pair = pair_of(corners);
     const float motion = relative_motion(pair);
     const Nearest at_start = nearest(pair, 0);
@@ -247,9 +273,8 @@ struct FindCrossings {
     const float t = motion < distance - gap ? 2 : time_of_nearness(pair, gap);
     if (t > 1 && !(nearly_lost && nearest(pair, 1).distance < distance)) return;
     if (nothing_moves(corners)) return;
-    pbd::atomic_add(folds.counters[crossings + round], 1);
-    if (cloth.frames.differ(corners.vertex(0), corners.vertex(3)))
-      pbd::atomic_max(folds.counters[frames_meet], 1);
+    pbd::atomic_add(counters[crossings + round], 1);
+    if (cloth.frames.differ(corners.vertex(0), corners.vertex(3))) pbd::atomic_max(counters[frames_meet], 1);
     const bool holds = nearly_lost || motion < rounding(corners) || have_parted(corners);
     if (holds) own_motion.hold(corners);
     impact_zones.unite(corners, round, holds);

@@ -143,15 +143,19 @@ struct FindCandidates {
 
   Listing listing;
   ClothState cloth;
-  GroupPairs pairs;
+  GroupPairs all_pairs;
   View<FeatureCode> candidate_list;
-  uint32_t stride;
+  uint32_t worlds;
+  uint32_t stride;  // groups of threads for each world
 
   template <class Group>
   MENISCUS_HD void operator()(const Group& group, Scratch& scratch, uint32_t n) const {
-    if (!listing.wanted()) return;
+    const uint32_t world = n / stride;
+    if (!listing.wanted(world)) return;
+    const GroupPairs pairs = all_pairs.of(world, all_pairs.list.count / worlds);
+    const View<FeatureCode> found = part_of(candidate_list, world, candidate_list.count / worlds);
     const uint32_t count = pairs.count();
-    for (uint32_t first = Scratch::pairs * n; first < count; first += Scratch::pairs * stride) {
+    for (uint32_t first = Scratch::pairs * (n % stride); first < count; first += Scratch::pairs * stride) {
       const uint32_t left = count - first < Scratch::pairs ? count - first : Scratch::pairs;
       group.for_each(left, [&](uint32_t k) {
         scratch.two[k].groups = pairs.list[first + k];
@@ -160,22 +164,23 @@ struct FindCandidates {
       group.for_each(TrianglesOfTwo::count * left, [&](uint32_t k) {
         scratch.two[k / TrianglesOfTwo::count].load_triangle(cloth, k % TrianglesOfTwo::count);
       });
-      group.for_each(8 * left, [&](uint32_t k) { find_overlaps(scratch, k); });
+      const bool differ = pairs.counters[several_frames] != 0;
+      group.for_each(8 * left, [&](uint32_t k) { find_overlaps(scratch, k, differ); });
       const uint32_t hits = scratch.hit_count;
       for (uint32_t done = 0; done < hits; done += Scratch::at_once) {
         const uint32_t now = hits - done < Scratch::at_once ? hits - done : Scratch::at_once;
         group.for_each(1, [&](uint32_t) { scratch.touching_count = 0; });
         group.for_each(now, [&](uint32_t k) { find_features(scratch, scratch.hits[done + k]); });
-        group.for_each(scratch.touching_count, [&](uint32_t k) { list(scratch, scratch.touching[k]); });
+        group.for_each(scratch.touching_count,
+                       [&](uint32_t k) { list(scratch, scratch.touching[k], pairs, found); });
       }
     }
   }
 
  private:
-  MENISCUS_HD void find_overlaps(Scratch& scratch, uint32_t k) const {
+  MENISCUS_HD void find_overlaps(Scratch& scratch, uint32_t k, bool differ) const {
     const GroupPair pair = scratch.two[k / 8].groups;
-    uint32_t mask =
-        overlapping(cloth.tree, 8 * pair.first + k % 8, pair.second, pairs.counters[several_frames] != 0);
+    uint32_t mask = overlapping(cloth.tree, 8 * pair.first + k % 8, pair.second, differ);
     uint32_t place = mask ? pbd::append(scratch.hit_count, pbd::bit_count(mask)) : 0;
     for (; mask != 0; mask &= mask - 1)
       scratch.hits[place++] = static_cast<uint16_t>(8 * k + pbd::lowest_bit(mask));
@@ -194,14 +199,15 @@ struct FindCandidates {
     for (; touching != 0; touching &= touching - 1)
       scratch.touching[place++] = static_cast<uint16_t>(PairsOfTwo::most * hit + pbd::lowest_bit(touching));
   }
-  MENISCUS_HD void list(const Scratch& scratch, uint32_t number) const {
+  MENISCUS_HD void list(const Scratch& scratch, uint32_t number, const GroupPairs& pairs,
+                        View<FeatureCode> found) const {
     const uint32_t hit = number / PairsOfTwo::most, k = number % PairsOfTwo::most;
     const TrianglesOfTwo& two = scratch.two[hit / 64];
     const uint32_t s = hit % 64 / 8, t = 8 + hit % 8;
     if (!two.bounds(s, t, k).may_come_near()) return;
     const uint32_t place = pbd::append(pairs.counters[candidates], 1);
-    if (place < candidate_list.count)
-      candidate_list[place] = PairsOfTwo(two.self(s), two.self(t)).code(places_of(two.groups, hit % 64), k);
+    if (place < found.count)
+      found[place] = PairsOfTwo(two.self(s), two.self(t)).code(places_of(two.groups, hit % 64), k);
   }
 };
 

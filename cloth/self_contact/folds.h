@@ -12,15 +12,20 @@ namespace meniscus::cloth::self_contact_kernels {
 struct Folds {
   View<uint32_t> state;     // by group: the last round that found its vertices moved, and `bent`
   View<uint32_t> noted;     // by group, counted from 1: the last round in which it was put on the list
-  View<uint32_t> list;      // the groups whose sheets are to be checked in this round
-  View<uint32_t> counters;  // `folded_sheets` is the length of the list
+  View<uint32_t> list;      // by world: the groups whose sheets are to be checked in this round
+  View<uint32_t> counters;  // by world: `folded_sheets` is the length of the list
+  uint32_t groups;          // of a world
 
   static constexpr uint32_t bent = 1u << 31;  // a normal has left the group's cone
 
-  /// The part of the preparation for a substep that one of `threads` threads does.
-  MENISCUS_HD void begin(uint32_t thread, uint32_t threads) const {
-    for (uint32_t g = thread; g < noted.count; g += threads) noted[g] = 0;
-    if (thread == 0) counters[folded_sheets] = 0;
+  /// The counters and the list of one world.
+  MENISCUS_HD View<uint32_t> counters_in(uint32_t world) const { return counters_of(counters, world); }
+  MENISCUS_HD View<uint32_t> list_in(uint32_t world) const { return part_of(list, world, groups); }
+  /// The part of the preparation for a substep that one of a world's `threads` threads does.
+  MENISCUS_HD void begin(uint32_t world, uint32_t thread, uint32_t threads) const {
+    const View<uint32_t> own = part_of(noted, world, groups);
+    for (uint32_t g = thread; g < groups; g += threads) own[g] = 0;
+    if (thread == 0) counters_in(world)[folded_sheets] = 0;
   }
   /// Whether vertices of a group have moved since its pairs were last checked.
   MENISCUS_HD bool has_changed(uint32_t g, uint32_t round) const {
@@ -29,7 +34,8 @@ struct Folds {
   MENISCUS_HD void add(uint32_t g, uint32_t round) const {
     const uint32_t seen = pbd::atomic_load(noted[g]);
     if (seen > round || pbd::atomic_exchange_if(noted[g], seen, round + 1) != seen) return;
-    list[pbd::append(counters[folded_sheets], 1)] = g;
+    const uint32_t world = g / groups;
+    list_in(world)[pbd::append(counters_in(world)[folded_sheets], 1)] = g;
   }
 };
 
@@ -53,9 +59,9 @@ struct FindFolds {
 
   template <class Group>
   MENISCUS_HD void operator()(const Group& group, Scratch& scratch, uint32_t n) const {
-    if (!is_round_needed(folds.counters, round)) return;
-    const uint32_t first = Scratch::groups * n, left = folds.state.count - first,
-                   count = left < Scratch::groups ? left : Scratch::groups;
+    const GroupRange range(n, Scratch::groups, folds.groups);
+    if (!is_round_needed(folds.counters_in(range.world), round)) return;
+    const uint32_t first = range.first, count = range.count;
     group.for_each(count, [&](uint32_t k) {
       scratch.changed[k] = round == 0;
       scratch.bent[k] = 0;
@@ -108,7 +114,7 @@ struct FindFolds {
     group.for_each(8 * count, [&](uint32_t k) {
       const uint32_t other = sheets.neighbours[begin + k / 8];
       if (!ends_smoothness(8 * g + k % 8, other)) return;
-      pbd::atomic_max(folds.counters[expired], 1);
+      pbd::atomic_max(folds.counters_in(g / folds.groups)[expired], 1);
       folds.add(other, round);
     });
   }

@@ -136,8 +136,8 @@ struct SumMotion {
 
   template <class Group>
   MENISCUS_HD void operator()(const Group& group, Scratch& scratch, uint32_t n) const {
-    const uint32_t first = Scratch::groups * n, all = cloth.tree.triangles.count / 8;
-    const uint32_t count = all - first < Scratch::groups ? all - first : Scratch::groups;
+    const GroupRange range(n, Scratch::groups, cloth.of_world.groups);
+    const uint32_t first = range.first, count = range.count;
     group.for_each(count, [&](uint32_t k) { sum(scratch, k, first + k); });
     // The first group of each piece adds up the groups of that piece which follow it.
     group.for_each(count, [&](uint32_t k) {
@@ -212,24 +212,29 @@ struct FindSurroundings {
 /// displacements in the same cell of a grid. Cells are numbered by a hash, and two that share a number share
 /// a frame, which is as right but may cost more.
 struct ChooseFrames {
-  View<uint32_t> counters;
+  View<uint32_t> all_counters;
   Surroundings around;
   View<const PieceProperties> pieces;
   View<uint32_t> frame_of, cell_of;  // by piece
-  uint32_t frames;
-  bool one;  // one frame for all
+  OfWorld of_world;
+  View<const uint8_t> one;  // by world: one frame for all
 
   MENISCUS_HD void operator()(uint32_t piece) const {
+    const uint32_t world = piece / of_world.pieces;
+    const View<uint32_t> counters = counters_of(all_counters, world);
     if (counters[expired] == 0 || counters[overflowed] != 0) return;
     const uint32_t cell = cell_at(piece);
     cell_of[piece] = cell;
-    frame_of[piece] = frame_at(cell);
+    frame_of[piece] = frame_at(world, cell);
     around.add_row(pieces.count + frame_of[piece], piece);
-    if (frame_of[piece] != frame_at(cell_at(0))) pbd::atomic_max(counters[several_frames], 1);
+    if (frame_of[piece] != frame_at(world, cell_at(world * of_world.pieces)))
+      pbd::atomic_max(counters[several_frames], 1);
   }
 
  private:
-  MENISCUS_HD uint32_t frame_at(uint32_t cell) const { return one ? 0 : cell % frames; }
+  MENISCUS_HD uint32_t frame_at(uint32_t world, uint32_t cell) const {
+    return world * of_world.frames + (one[world] ? 0 : cell % of_world.frames);
+  }
   MENISCUS_HD uint32_t cell_at(uint32_t piece) const {
     const Vec3 frame = around.frame(piece).xyz();
     const float scale = 1 / (self_contact_tuning::frame_cell * pieces[0].thickness);

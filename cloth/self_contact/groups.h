@@ -32,13 +32,14 @@ struct FitCones {
   View<const Vec4> previous, position;
   View<Vec4> cones;
   View<uint32_t> rough;
+  uint32_t groups_of_world;
 
-  /// Runs for the groups from 16 n on.
+  /// Runs for up to 16 groups.
   template <class Group>
   MENISCUS_HD void operator()(const Group& group, Scratch& scratch, uint32_t n) const {
-    if (!listing.wanted()) return;
-    const uint32_t first = n * Scratch::groups, left = cones.count - first,
-                   count = left < Scratch::groups ? left : Scratch::groups;
+    const GroupRange range(n, Scratch::groups, groups_of_world);
+    if (!listing.wanted(range.world)) return;
+    const uint32_t first = range.first, count = range.count;
     group.for_each(8 * count, [&](uint32_t k) {
       const SurfaceTriangle t = load(tree.triangles, 8 * first + k);
       scratch.longest2[k] = 0;
@@ -98,51 +99,59 @@ struct FindGroups {
   View<const PieceProperties> pieces;
   View<const uint32_t> cell_of;  // by piece, see ChooseFrames
   SheetViews sheets;
-  GroupPairs pairs;
+  GroupPairs all_pairs;
 
-  /// Runs for the groups from 8 n on, paired with themselves and later groups.
+  /// Runs for the groups from 8 n on, paired with themselves and later groups of their world.
   template <class Group>
   MENISCUS_HD void operator()(const Group& group, Scratch& scratch, uint32_t n) const {
-    if (!listing.wanted()) return;
+    const uint32_t world = n / tree.groups_of_world(1);
+    if (!listing.wanted(world)) return;
+    const GroupPairs pairs = all_pairs.of(world, all_pairs.list.count / tree.worlds);
     group.for_each(8, [&](uint32_t k) { note_smoothness(8 * n + k); });
     const bool large = tree.levels > 4;
-    const uint32_t end = large ? tree.boxes[4] : eights_have_boxes() ? tree.groups_of(2) : 1;
-    for (uint32_t first = large ? n / 64 : n / 8; first < end; first += Scratch::boxes) {
+    const uint32_t each = large                 ? tree.boxes[4] / tree.worlds
+                          : eights_have_boxes() ? tree.groups_of_world(2)
+                                                : 1;
+    const uint32_t end = (world + 1) * each;
+    uint32_t first = large ? n / 64 : eights_have_boxes() ? n / 8 : world;
+    for (; first < end; first += Scratch::boxes) {
       const uint32_t boxes = end - first < Scratch::boxes ? end - first : Scratch::boxes;
       if (large)
-        search_below(group, scratch, n, first, boxes);
+        search_below(group, scratch, pairs, n, first, boxes);
       else
-        pair_up_all(group, scratch, n, boxes, [&](uint32_t k) { return first + k; });
+        pair_up_all(group, scratch, pairs, n, boxes, [&](uint32_t k) { return first + k; });
     }
   }
 
  private:
   /// Boxes of level 4 from `first` on.
   template <class Group>
-  MENISCUS_HD void search_below(const Group& group, Scratch& scratch, uint32_t n, uint32_t first,
-                                uint32_t boxes) const {
+  MENISCUS_HD void search_below(const Group& group, Scratch& scratch, const GroupPairs& pairs, uint32_t n,
+                                uint32_t first, uint32_t boxes) const {
     group.for_each(1, [&](uint32_t) { scratch.top_count = 0; });
     group.for_each(boxes, [&](uint32_t k) {
-      if (boxes_in_time().overlap(4, first + k, 2, n))
+      if (boxes_in_time(pairs).overlap(4, first + k, 2, n))
         scratch.tops[pbd::append(scratch.top_count, 1)] = first + k;
     });
     const uint32_t below = 8 * scratch.top_count;
     for (uint32_t done = 0; done < below; done += Scratch::boxes) {
       const uint32_t left = below - done < Scratch::boxes ? below - done : Scratch::boxes;
-      pair_up_all(group, scratch, n, left,
+      pair_up_all(group, scratch, pairs, n, left,
                   [&](uint32_t k) { return 8 * scratch.tops[(done + k) / 8] + k % 8; });
     }
   }
   /// `count` boxes of the level above the boxes of eight groups.
   template <class Group, class BoxAt>
-  MENISCUS_HD void pair_up_all(const Group& group, Scratch& scratch, uint32_t n, uint32_t count,
-                               const BoxAt& box_at) const {
+  MENISCUS_HD void pair_up_all(const Group& group, Scratch& scratch, const GroupPairs& pairs, uint32_t n,
+                               uint32_t count, const BoxAt& box_at) const {
     group.for_each(1, [&](uint32_t) { scratch.count = 0; });
-    group.for_each(count, [&](uint32_t k) { find_eights(scratch, n, box_at(k)); });
+    group.for_each(count, [&](uint32_t k) { find_eights(scratch, pairs, n, box_at(k)); });
     const uint32_t found = scratch.count;
-    group.for_each(8 * found, [&](uint32_t k) { pair_up(8 * n + k % 8, scratch.eights[k / 8]); });
+    group.for_each(8 * found, [&](uint32_t k) { pair_up(pairs, 8 * n + k % 8, scratch.eights[k / 8]); });
   }
-  MENISCUS_HD BoxesInTime boxes_in_time() const { return {tree, pairs.counters[several_frames] != 0}; }
+  MENISCUS_HD BoxesInTime boxes_in_time(const GroupPairs& pairs) const {
+    return {tree, pairs.counters[several_frames] != 0};
+  }
   MENISCUS_HD bool eights_have_boxes() const { return tree.levels > 2; }
 
   MENISCUS_HD void note_smoothness(uint32_t g) const {
@@ -150,17 +159,20 @@ struct FindGroups {
     sheets.smooth[g] = sheets.is_smooth(g);
   }
 
-  MENISCUS_HD void find_eights(Scratch& scratch, uint32_t n, uint32_t box) const {
-    if (tree.levels > 3 && !boxes_in_time().overlap(3, box, 2, n)) return;
-    uint32_t mask = eights_have_boxes() ? boxes_in_time().mask(2, box, 2, n) : (1u << tree.groups_of(1)) - 1;
+  /// Where eights have no boxes, a world has few, and `box` is the world.
+  MENISCUS_HD void find_eights(Scratch& scratch, const GroupPairs& pairs, uint32_t n, uint32_t box) const {
+    if (tree.levels > 3 && !boxes_in_time(pairs).overlap(3, box, 2, n)) return;
+    const uint32_t eights = tree.groups_of_world(1);
+    uint32_t mask = eights_have_boxes() ? boxes_in_time(pairs).mask(2, box, 2, n) : (1u << eights) - 1;
+    const uint32_t begin = box * (eights_have_boxes() ? 8 : eights);
     for (; mask != 0; mask &= mask - 1) {
-      const uint32_t eight = 8 * box + pbd::lowest_bit(mask);
+      const uint32_t eight = begin + pbd::lowest_bit(mask);
       if (eight >= n) scratch.eights[pbd::append(scratch.count, 1)] = eight;
     }
   }
 
-  MENISCUS_HD void pair_up(uint32_t g, uint32_t eight) const {
-    uint32_t mask = boxes_in_time().mask(1, eight, 1, g);
+  MENISCUS_HD void pair_up(const GroupPairs& pairs, uint32_t g, uint32_t eight) const {
+    uint32_t mask = boxes_in_time(pairs).mask(1, eight, 1, g);
     if (eight == g / 8) mask &= ~0u << g % 8;
     if (mask == 0) return;
     const uint32_t piece = tree.triangles[8 * g].piece;

@@ -74,11 +74,13 @@ struct ImpactZones {
 struct GatherImpactZones {
   View<const Vec4> previous, position;  // by vertex
   ImpactZones impact_zones;
-  View<uint32_t> counters;
+  View<uint32_t> all_counters;
+  uint32_t vertices_of_world;
   uint32_t round;
 
   MENISCUS_HD void operator()(uint32_t v) const {
-    if (v == 0) counters[folded_sheets] = 0;  // these have been checked
+    const View<uint32_t> counters = counters_of(all_counters, v / vertices_of_world);
+    if (v % vertices_of_world == 0) counters[folded_sheets] = 0;  // these have been checked
     const uint32_t mark = impact_zones.mark_of(v);
     if (counters[crossings + round] == 0 || mark == 0) return;
     const uint32_t name = impact_zones.name(v);
@@ -98,8 +100,8 @@ struct GatherImpactZones {
 /// The displacement that was taken from vertices that would have left the place that was searched. Their
 /// momentum is transferred at the end.
 struct RolledBack {
-  View<Vec4> ways;  // by vertex, m
-  View<uint32_t> counters;
+  View<Vec4> ways;          // by vertex, m
+  View<uint32_t> counters;  // of its world
 
   MENISCUS_HD void begin(uint32_t v) const { ways[v] = {0, 0, 0, 0}; }
   MENISCUS_HD void add(uint32_t v, Vec3 displacement) const {
@@ -144,11 +146,13 @@ struct MoveImpactZones {
   View<Vec4> position, accumulated_delta;  // by vertex
   ImpactZones impact_zones;
   OwnMotion own_motion;
-  RolledBack taken;
-  View<uint32_t> counters;
+  View<Vec4> ways;  // see RolledBack
+  View<uint32_t> all_counters;
   uint32_t round;
 
   MENISCUS_HD void operator()(uint32_t v) const {
+    const View<uint32_t> counters = counters_of(all_counters, v / cloth.of_world.vertices);
+    const RolledBack taken{ways, counters};
     if (counters[crossings + round] == 0) return;
     if (cloth.frames.piece[v] == no_index) return;  // a vertex of a rope
     const bool last = round + 1 == most_rounds, all = last || round + 2 == most_rounds;

@@ -17,21 +17,25 @@ struct MakeContacts {
   ClothState cloth;
   View<const FeatureCode> candidate_list;
   View<const Vec3> rest;  // by vertex
-  ContactList list;
+  ContactList all_contacts;
   View<uint32_t> entries;  // by vertex: its number of contacts
   float separation;        // of a thickness: how much further overlaps are pushed apart in the substep
-  uint32_t stride;
+  uint32_t worlds;
+  uint32_t stride;  // groups of threads for each world
 
   using Scratch = CullScratch;
   static constexpr uint32_t resident_blocks = 6;  ///< see CudaDevice
 
   template <class Group>
   MENISCUS_HD void operator()(const Group& group, Scratch& scratch, uint32_t n) const {
+    const uint32_t world = n / stride;
+    const ContactList list = all_contacts.of(world, all_contacts.corners.count / worlds);
+    const View<const FeatureCode> codes = part_of(candidate_list, world, candidate_list.count / worlds);
     if (list.counters[overflowed] != 0) return;
-    Cull(listed(candidate_list, list.counters[candidates]), n, stride)
+    Cull(listed(codes, list.counters[candidates]), n % stride, stride)
         .run(
-            group, scratch, [&](uint32_t k) { return may_be_contact(load(candidate_list, k)); },
-            [&](uint32_t k) { make(load(candidate_list, k)); });
+            group, scratch, [&](uint32_t k) { return may_be_contact(load(codes, k)); },
+            [&](uint32_t k) { make(list, load(codes, k)); });
   }
 
  private:
@@ -48,7 +52,7 @@ struct MakeContacts {
            (end.distance <= reach && !is_another_pairs(code, corners, end));
   }
 
-  MENISCUS_HD void make(FeatureCode code) const {
+  MENISCUS_HD void make(const ContactList& list, FeatureCode code) const {
     const Corners corners = cloth.corners_of(code);
     const float thickness = thickness_of(code), reach = reach_of(code), near = nearness_of(code);
     const FeaturePair pair = pair_of(corners, cloth.previous, cloth.position);
@@ -66,7 +70,7 @@ struct MakeContacts {
     if (apart <= 0 || now.distance <= 0) return;
     if (!is_near && now.distance > apart + self_contact_tuning::margin * thickness) return;
     const float target = pbd::min(apart, start + separation * thickness);
-    add(corners, now, target, friction_of(code));
+    add(list, corners, now, target, friction_of(code));
   }
 
   MENISCUS_HD const PieceProperties& first_piece(FeatureCode code) const {
@@ -126,7 +130,8 @@ struct MakeContacts {
     return pbd::min(thickness, self_contact_tuning::kept_of_rest * nearest(at_rest, 0).distance);
   }
 
-  MENISCUS_HD void add(const Corners& corners, const Nearest& now, float target, float friction) const {
+  MENISCUS_HD void add(const ContactList& list, const Corners& corners, const Nearest& now, float target,
+                       float friction) const {
     const uint32_t c = pbd::append(list.counters[contacts], 1);
     if (cloth.frames.differ(corners.vertex(0), corners.vertex(3)))
       pbd::atomic_max(list.counters[frames_meet], 1);

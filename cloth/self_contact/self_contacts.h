@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <span>
 
+#include "cloth/self_contact/contact_piece.h"
 #include "cloth/self_contact/folds.h"
 #include "cloth/self_contact/frames.h"
 #include "cloth/self_contact/tuning.h"
@@ -15,14 +16,6 @@
 #include "pbd/surface_tree/surface_tree.h"
 
 namespace meniscus::cloth {
-
-/// How the triangles of one piece collide with other pieces and with one another.
-struct ContactPiece {
-  float thickness = 0.01f;   ///< m, > 0: two pieces keep half the sum of their thicknesses
-  float friction = 0.3f;     ///< Coulomb's μ, ≥ 0; two pieces use the geometric mean
-  CollisionFilter filter{};  ///< which other pieces it collides with
-  bool self = true;          ///< whether it collides with itself
-};
 
 /// Keeps cloth from passing through cloth, by contacts of vertices with triangles and of edges with edges.
 ///
@@ -47,10 +40,11 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   pbd::ConstraintSet<D>& ccd_failsafe() { return ccd_failsafe_; }
 
   /// Replaces all cloth. A triangle's piece is an element of `pieces`. `rest` (m, by vertex) is the shape
-  /// without strain. `device_rest` is the same in the device's memory, and must stay valid. `heaviest` is the
-  /// mass of the heaviest vertex, kg.
+  /// without strain. All these are of one world, of which there are so many. `device_rest` is `rest` of all
+  /// worlds in the device's memory, and must stay valid. `heaviest` is the mass of the heaviest vertex, kg.
   void set_surface(std::span<const pbd::SurfaceTriangle> triangles, std::span<const Vec3> rest,
-                   pbd::View<const Vec3> device_rest, std::span<const ContactPiece> pieces, float heaviest);
+                   pbd::View<const Vec3> device_rest, std::span<const ContactPiece> pieces, float heaviest,
+                   uint32_t worlds = 1);
 
   void project(pbd::Substep<D>& substep, int iteration) override;
 
@@ -63,14 +57,19 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   /// Lists of pairs are no state: each step begins with a search.
   void visit_state(pbd::StateVisitor& v) {
     learn();
-    v.value("rounds", rounds_);
-    v.value("lasts_one_substep", lasts_one_substep_);
-    v.value("one_frame", one_frame_);
-    v.values("found", found_.host());
-    v.array("strayed", strayed_.view(), strayed_.size());
+    visit(v, 0, worlds_);
     if (v.restores()) anew_ = true;
   }
+  void keep_world(uint32_t each) override;
+  void reset_worlds(const pbd::ChosenWorlds& worlds) override;
+  void undo_worlds(const pbd::ChosenWorlds& worlds) override;
+  /// Visits one world of a batch as visit_state() would visit it alone.
+  void visit_world(pbd::StateVisitor& v, uint32_t world) {
+    learn();
+    visit(v, world, 1);
+  }
 
+  // In a batch, of the world that has most.
   /// The greatest number of contacts in any substep of the last step.
   uint32_t most_contacts() const { return found(self_contact_kernels::contacts); }
   /// The greatest number of pairs of features listed in any substep of the last step.
@@ -100,12 +99,13 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   /// The number of groups of threads for all groups of triangles, of which each takes Scratch::groups.
   template <class Scratch>
   uint32_t blocks_of() const {
-    return (groups_ + Scratch::groups - 1) / Scratch::groups;
+    return worlds_ * ((of_world_.groups + Scratch::groups - 1) / Scratch::groups);
   }
   uint32_t used_rounds() const;
   bool ran_short() const { return used_rounds() == rounds_; }
   bool lists_had_room() const;
   void learn();
+  void visit(pbd::StateVisitor& v, uint32_t first_world, uint32_t worlds);
   void forget_found();
   uint32_t more_rounds() const { return std::min(2 * rounds_, self_contact_kernels::most_rounds); }
   static bool any_meet(std::span<const ContactPiece> pieces);
@@ -128,18 +128,19 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   self_contact_kernels::Folds folds();
   self_contact_kernels::ContactList list();
   uint32_t launched(uint32_t counter, size_t capacity);
+  uint32_t room_of_world(size_t capacity) const { return static_cast<uint32_t>(capacity / worlds_); }
 
   D& device_;
   pbd::SurfaceTree<D>& tree_;
   CcdFailsafe ccd_failsafe_;
   pbd::View<const Vec3> rest_;
-  uint32_t vertices_ = 0, groups_ = 0, rounds_ = self_contact_tuning::first_rounds;
-  float least_distance_ = 0;        // m: see FindCrossings
-  float unit_ = 0;                  // kg·m, of the integers that sum up pushes
-  bool anew_ = true;                // search for pairs in any case
-  bool learned_ = true;             // from what is found: nothing is left to learn
-  bool lasts_one_substep_ = false;  // whether most lists of the last step were made for one substep only
-  bool one_frame_ = false;          // for all pieces, as long as some that move differently are near
+  uint32_t vertices_ = 0, groups_ = 0, rounds_ = self_contact_tuning::first_rounds;  // of all worlds
+  uint32_t worlds_ = 1;
+  self_contact_kernels::OfWorld of_world_;
+  float least_distance_ = 0;  // m: see FindCrossings
+  float unit_ = 0;            // kg·m, of the integers that sum up pushes
+  bool anew_ = true;          // search for pairs in any case
+  bool learned_ = true;       // from what is found: nothing is left to learn
 
   pbd::Buffer<self_contact_kernels::PieceProperties> pieces_{device_, "cloth contact pieces"};
   pbd::Buffer<uint16_t> features_{device_, "cloth features"};
@@ -173,7 +174,17 @@ class SelfContacts final : public pbd::ConstraintSet<D> {
   pbd::Buffer<uint32_t> entries_{device_, "contacts of cloth vertices"};
   pbd::Buffer<int64_t> push_sums_{device_, "cloth contact pushes"};
   pbd::Buffer<uint32_t> counters_{device_, "cloth contact counters"};
-  pbd::SharedBuffer<uint32_t> found_{device_, "cloth contact counts"};
+  pbd::SharedBuffer<uint32_t> found_{device_, "cloth contact counts"};  // of the world with most
+  pbd::Buffer<uint32_t> found_by_world_{device_, "cloth contact counts"},
+      most_found_{device_, "cloth contact counts"};
+  // By world: whether most lists of the last step were made for one substep only; whether all pieces have one
+  // frame, as long as some that move differently are near.
+  pbd::Buffer<uint8_t> lasts_one_substep_{device_, "cloth contact flags"},
+      one_frame_{device_, "cloth contact flags"};
+
+  // Of a batch: what worlds are reset to.
+  pbd::Buffer<float> kept_strayed_{device_, "kept strayed cloth"};
+  pbd::Buffer<uint8_t> kept_lasts_one_substep_{device_, "kept flags"}, kept_one_frame_{device_, "kept flags"};
 };
 
 }  // namespace meniscus::cloth

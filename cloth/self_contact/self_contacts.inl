@@ -13,12 +13,12 @@
 #include "cloth/self_contact/ccd_failsafe.h"
 #include "cloth/self_contact/find.h"
 #include "cloth/self_contact/groups.h"
+#include "cloth/self_contact/lessons.h"
 #include "cloth/self_contact/narrow.h"
 #include "cloth/self_contact/self_contacts.h"
 #include "cloth/self_contact/solve.h"
 #include "cloth/self_contact/tuning.h"
 #include "pbd/device/launch_size.h"
-#include "pbd/filter.h"
 #include "pbd/surface_tree/surface_tree.inl"
 
 namespace meniscus::cloth {
@@ -42,23 +42,25 @@ void SelfContacts<D>::list_pairs(pbd::Substep<D>& substep) {
   const Listing listing{counters_.view()};
   device_.parallel_for("self contacts/frames", static_cast<uint32_t>(pieces_.size()),
                        ChooseFrames{counters_.view(), surroundings(), pieces_.view(), frame_of_.view(),
-                                    cell_of_.view(), static_cast<uint32_t>(frames_.size()), one_frame_});
-  device_.parallel_for("self contacts/keep", vertices_,
-                       CandidateLifetime{listing, previous, foreseen_.view(), vertex_piece_.view(),
-                                         frame_of_.view(), pieces_.view(), strayed_.view(), surroundings(),
-                                         frames_.view(), kept_.view(), wide_.view(), counters_.view()});
+                                    cell_of_.view(), of_world_, one_frame_.view()});
+  device_.parallel_for(
+      "self contacts/keep", vertices_,
+      CandidateLifetime{listing, previous, foreseen_.view(), vertex_piece_.view(), frame_of_.view(),
+                        pieces_.view(), strayed_.view(), surroundings(), frames_.view(), kept_.view(),
+                        wide_.view(), counters_.view(), of_world_});
   tree_.refit(KeptBoxes{listing, {kept_.view()}});
-  if (frames_.size() > 1) tree_.refit_before(KeptBoxesBefore{listing, {kept_.view()}, frames()});
+  if (of_world_.frames > 1) tree_.refit_before(KeptBoxesBefore{listing, {kept_.view()}, frames()});
   const pbd::SurfaceTreeView tree = tree_.view();
-  device_.parallel_for_groups(
-      "self contacts/cones", blocks_of<ConeScratch>(),
-      FitCones{listing, tree, pieces_.view(), previous, foreseen_.view(), cones_.view(), rough_.view()});
+  device_.parallel_for_groups("self contacts/cones", blocks_of<ConeScratch>(),
+                              FitCones{listing, tree, pieces_.view(), previous, foreseen_.view(),
+                                       cones_.view(), rough_.view(), of_world_.groups});
   device_.parallel_for_groups("self contacts/groups", tree.groups_of(1),
                               FindGroups{listing, tree, pieces_.view(), cell_of_.view(), sheets(), pairs()});
   constexpr uint32_t each = CandidateScratch::pairs;
-  const uint32_t blocks = (launched(group_pairs, group_pairs_.size()) + each - 1) / each;
-  device_.parallel_for_groups("self contacts/candidates", blocks,
-                              FindCandidates{listing, cloth(substep), pairs(), candidates_.view(), blocks});
+  const uint32_t blocks = std::max(1u, (launched(group_pairs, group_pairs_.size()) + each - 1) / each);
+  device_.parallel_for_groups(
+      "self contacts/candidates", worlds_ * blocks,
+      FindCandidates{listing, cloth(substep), pairs(), candidates_.view(), worlds_, blocks});
 }
 
 template <class D>
@@ -78,32 +80,32 @@ void SelfContacts<D>::find_pairs(pbd::Substep<D>& substep) {
   using self_contact_tuning::separation_time;
   const pbd::ParticleView& p = substep.particles;
   sum_surroundings(substep);
-  device_.parallel_for(
-      "self contacts/foresee", vertices_,
-      Foresee{vertices_of(p.previous, p.sorted, vertices_),
-              vertices_of(p.position, p.sorted, vertices_),
-              vertex_piece_.view(),
-              pieces_.view(),
-              strayed_.view(),
-              frames(),
-              surroundings(),
-              kept_.view(),
-              wide_.view(),
-              foreseen_.view(),
-              impact_zones(),
-              piece_sums(),
-              folds(),
-              entries_.view(),
-              counters_.view(),
-              {static_cast<uint32_t>(group_pairs_.size()), static_cast<uint32_t>(candidates_.size()),
-               static_cast<uint32_t>(corners_.size())},
-              std::exchange(anew_, false),
-              lasts_one_substep_});
+  device_.parallel_for("self contacts/foresee", vertices_,
+                       Foresee{vertices_of(p.previous, p.sorted, vertices_),
+                               vertices_of(p.position, p.sorted, vertices_),
+                               vertex_piece_.view(),
+                               pieces_.view(),
+                               strayed_.view(),
+                               frames(),
+                               surroundings(),
+                               kept_.view(),
+                               wide_.view(),
+                               foreseen_.view(),
+                               impact_zones(),
+                               piece_sums(),
+                               folds(),
+                               entries_.view(),
+                               counters_.view(),
+                               of_world_,
+                               {room_of_world(group_pairs_.size()), room_of_world(candidates_.size()),
+                                room_of_world(corners_.size())},
+                               std::exchange(anew_, false),
+                               lasts_one_substep_.view()});
   list_pairs(substep);
   const uint32_t blocks = launched(candidates, candidates_.size()) / threads_together + 1;
-  device_.parallel_for_groups("self contacts/contacts", blocks,
+  device_.parallel_for_groups("self contacts/contacts", worlds_ * blocks,
                               MakeContacts{cloth(substep), candidates_.view(), rest_, list(), entries_.view(),
-                                           substep.dt / separation_time, blocks});
+                                           substep.dt / separation_time, worlds_, blocks});
 }
 
 template <class D>
@@ -114,13 +116,13 @@ void SelfContacts<D>::project(pbd::Substep<D>& substep, int iteration) {
   const pbd::ParticleView& p = substep.particles;
   const View<Vec4> position = vertices_of(p.position, p.sorted, vertices_);
   const PushSums sums{push_sums_.view(), unit_};
-  const uint32_t threads = launched(contacts, corners_.size());
-  const PushApart push{list(),          position, vertices_of(p.previous, p.sorted, vertices_),
-                       entries_.view(), sums,     threads};
+  const uint32_t threads = std::max(1u, launched(contacts, corners_.size()));
+  const PushApart push{list(),  position, vertices_of(p.previous, p.sorted, vertices_), entries_.view(), sums,
+                       worlds_, threads};
   const MoveVertices move{entries_.view(), position, vertices_of(p.accumulated_delta, p.sorted, vertices_),
                           sums};
   for (int sweep = 0; sweep < self_contact_tuning::sweeps; ++sweep) {
-    device_.parallel_for("self contacts/push", threads, push);
+    device_.parallel_for("self contacts/push", worlds_ * threads, push);
     device_.parallel_for("self contacts/move", vertices_, move);
   }
 }
@@ -144,34 +146,38 @@ void SelfContacts<D>::join_crossings(pbd::Substep<D>& substep) {
                                accumulated_delta,
                                strayed_.view(),
                                own_motion(),
-                               counters_.view()});
-  const uint32_t most = std::max(launched(candidates, candidates_.size()), vertices_);
-  const uint32_t blocks = std::min(most, most_threads) / threads_together + 1;
+                               counters_.view(),
+                               of_world_.vertices});
+  const uint32_t most = std::max(launched(candidates, candidates_.size()), of_world_.vertices);
+  const uint32_t blocks = std::min(most, most_threads / worlds_) / threads_together + 1;
   for (uint32_t round = 0; round < rounds_; ++round) {
     device_.parallel_for_groups("self contacts/folds", blocks_of<FoldScratch>(),
                                 FindFolds{cloth(substep), sheets(), impact_zones(), folds(), round});
-    device_.parallel_for_groups("self contacts/crossings", blocks,
-                                FindCrossings{cloth(substep), candidates_.view(), sheets(), impact_zones(),
-                                              own_motion(), folds(), round, blocks, least_distance_});
-    device_.parallel_for("self contacts/zones", vertices_,
-                         GatherImpactZones{previous, position, impact_zones(), counters_.view(), round});
-    device_.parallel_for("self contacts/move zones", vertices_,
-                         MoveImpactZones{cloth(substep),
-                                         substep.contacts,
-                                         p.sorted,
-                                         position,
-                                         accumulated_delta,
-                                         impact_zones(),
-                                         own_motion(),
-                                         {foreseen_.view(), counters_.view()},
-                                         counters_.view(),
-                                         round});
+    device_.parallel_for_groups(
+        "self contacts/crossings", worlds_ * blocks,
+        FindCrossings{cloth(substep), candidates_.view(), sheets(), impact_zones(), own_motion(), folds(),
+                      worlds_, round, blocks, least_distance_});
+    device_.parallel_for(
+        "self contacts/zones", vertices_,
+        GatherImpactZones{previous, position, impact_zones(), counters_.view(), of_world_.vertices, round});
+    device_.parallel_for(
+        "self contacts/move zones", vertices_,
+        MoveImpactZones{cloth(substep), substep.contacts, p.sorted, position, accumulated_delta,
+                        impact_zones(), own_motion(), foreseen_.view(), counters_.view(), round});
   }
   device_.parallel_for_groups("self contacts/lost", blocks_of<LostScratch>(),
                               SumLost{cloth(substep), foreseen_.view(), piece_sums(), counters_.view()});
-  device_.parallel_for("self contacts/transfer", std::max<uint32_t>(vertices_, counter_count),
+  const auto all_counters = static_cast<uint32_t>(counters_.size());
+  device_.parallel_for("self contacts/transfer", std::max(vertices_, all_counters),
                        TransferPush{vertex_piece_.view(), position, accumulated_delta, piece_sums(),
-                                    counters_.view(), found_.view()});
+                                    counters_.view(), found_by_world_.view(), of_world_.vertices});
+  // A GPU reads the host's memory slowly, so only one counter of each kind is compared there.
+  const bool is_batch = worlds_ > 1;
+  if (is_batch)
+    device_.parallel_for("self contacts/most", all_counters,
+                         NoteFound{found_by_world_.view(), most_found_.view()});
+  device_.parallel_for("self contacts/found", counter_count,
+                       NoteFound{is_batch ? most_found_.view() : found_by_world_.view(), found_.view()});
 }
 
 // ---- room ----
@@ -187,6 +193,8 @@ uint32_t SelfContacts<D>::used_rounds() const {
 template <class D>
 void SelfContacts<D>::start_step() {
   forget_found();
+  found_by_world_.fill(0);
+  most_found_.fill(0);
   learned_ = false;
 }
 
@@ -201,22 +209,21 @@ void SelfContacts<D>::forget_found() {
 template <class D>
 void SelfContacts<D>::learn() {
   using namespace self_contact_kernels;
-  if (std::exchange(learned_, true)) return;
+  if (std::exchange(learned_, true) || idle()) return;
   // Rounds that the last step did not use are dropped one by one. A superfluous round costs little. A
   // repeated step costs as much as the step itself.
-  if (!idle())
-    rounds_ =
-        std::min(most_rounds, std::max({self_contact_tuning::first_rounds,
-                                        used_rounds() + self_contact_tuning::spare_rounds, rounds_ - 1}));
-  if (found(frames_meet) == 0 && found(cells_meet) == 0) one_frame_ = false;
-  lasts_one_substep_ = 2 * one_substep_listings() > listings();
+  rounds_ = std::min(most_rounds, std::max({self_contact_tuning::first_rounds,
+                                            used_rounds() + self_contact_tuning::spare_rounds, rounds_ - 1}));
+  device_.parallel_for("self contacts/learn", worlds_,
+                       Learn{found_by_world_.view(), lasts_one_substep_.view(), one_frame_.view()});
 }
 
 template <class D>
 bool SelfContacts<D>::lists_had_room() const {
   using namespace self_contact_kernels;
-  return found(group_pairs) <= group_pairs_.size() && found(candidates) <= candidates_.size() &&
-         found(contacts) <= corners_.size();
+  return found(group_pairs) <= room_of_world(group_pairs_.size()) &&
+         found(candidates) <= room_of_world(candidates_.size()) &&
+         found(contacts) <= room_of_world(corners_.size());
 }
 
 template <class D>
@@ -229,13 +236,16 @@ template <class D>
 void SelfContacts<D>::make_room() {
   using namespace self_contact_kernels;
   const bool is_complete = lists_had_room();
-  const auto more = [](uint32_t found) { return found + found / 8; };
-  if (found(group_pairs) > group_pairs_.size()) group_pairs_.resize_or_stay(more(found(group_pairs)));
-  if (found(candidates) > candidates_.size()) candidates_.resize_or_stay(more(found(candidates)));
-  if (found(contacts) > corners_.size()) reserve_contacts(more(found(contacts)));
+  const auto more = [&](uint32_t found) { return worlds_ * size_t{found + found / 8}; };
+  const auto lacks = [&](uint32_t found, size_t room) { return found > room_of_world(room); };
+  if (lacks(found(group_pairs), group_pairs_.size())) group_pairs_.resize_or_stay(more(found(group_pairs)));
+  if (lacks(found(candidates), candidates_.size())) candidates_.resize_or_stay(more(found(candidates)));
+  if (lacks(found(contacts), corners_.size())) reserve_contacts(static_cast<uint32_t>(more(found(contacts))));
   if (!is_complete) return;  // what the pairs showed depends on which of them had room
   if (ran_short()) rounds_ = more_rounds();
-  if (found(frames_meet) > 0) one_frame_ = true;
+  if (found(frames_meet) > 0)
+    device_.parallel_for("self contacts/unite frames", worlds_,
+                         UniteFrames{found_by_world_.view(), one_frame_.view()});
 }
 
 template <class D>
@@ -248,108 +258,6 @@ void SelfContacts<D>::reserve_contacts(uint32_t capacity) {
 }
 
 // ---- state ----
-
-template <class D>
-void SelfContacts<D>::set_surface(std::span<const pbd::SurfaceTriangle> triangles, std::span<const Vec3> rest,
-                                  pbd::View<const Vec3> device_rest, std::span<const ContactPiece> pieces,
-                                  float heaviest) {
-  learn();
-  if (!any_meet(pieces)) triangles = {};
-  tree_.set_surface(triangles, rest);
-  const SelfContactTables tables = build_tables(tree_.triangles(), rest, pieces.size());
-  const auto upload = [](auto& buffer, const auto& values) {
-    buffer.resize_discard(values.size());
-    buffer.write(values);
-  };
-  upload(features_, tables.features);
-  upload(vertex_piece_, tables.vertex_piece);
-  upload(neighbour_start_, tables.neighbour_start);
-  upload(neighbours_, tables.neighbours);
-  set_pieces(pieces, tables.fineness);
-  rest_ = device_rest;
-  vertices_ = static_cast<uint32_t>(rest.size());
-  groups_ = tree_.places() / 8;
-  // The integer sums hold displacements up to about 2¹³ m of the heaviest vertex, in units far below a
-  // float's precision.
-  unit_ = std::ldexp(1.0f, std::ilogb(heaviest > 0 ? heaviest : 1.0f) - 49);
-
-  cones_.resize_discard(groups_);
-  for (pbd::Buffer<uint32_t>* buffer : {&rough_, &smooth_, &fold_state_, &fold_noted_, &fold_list_})
-    buffer->resize_discard(groups_);
-  kept_.resize_discard(vertices_);
-  wide_.resize_discard(vertices_);
-  foreseen_.resize_discard(vertices_);
-  for (pbd::Buffer<uint32_t>* buffer : {&impact_zone_label_, &impact_zone_mark_, &impact_zone_anchor_})
-    buffer->resize_discard(vertices_);
-  solved_.resize_discard(vertices_);
-  safe_fraction_.resize_discard(vertices_);
-  impact_zone_mark_.fill(0);
-  impact_zone_mass_.resize_discard(vertices_);
-  impact_zone_mass_.fill(0);
-  strayed_.resize_discard(vertices_);
-  saved_strayed_.resize_discard(vertices_);
-  entries_.resize_discard(vertices_);
-  push_sums_.resize_discard(3 * size_t{vertices_});
-  push_sums_.fill(0);
-  counters_.resize_discard(self_contact_kernels::counter_count);
-  counters_.fill(0);
-  if (found_.host().empty()) {
-    found_.resize_discard(self_contact_kernels::counter_count);
-    std::fill(found_.host().begin(), found_.host().end(),
-              0u);  // a step starts by reading those of the last step
-  }
-  forget_found();
-  strayed_.fill(0);
-  if (group_pairs_.size() < 2 * size_t{groups_}) group_pairs_.resize_discard(2 * size_t{groups_});
-  const uint32_t least_candidates = std::max(256u, vertices_ / 4);
-  if (candidates_.size() < least_candidates) candidates_.resize_discard(least_candidates);
-  const uint32_t least_contacts = std::max(256u, vertices_ / 16);
-  if (corners_.size() < least_contacts) reserve_contacts(least_contacts);
-}
-
-/// Whether any piece collides with itself or with another.
-template <class D>
-bool SelfContacts<D>::any_meet(std::span<const ContactPiece> pieces) {
-  for (size_t k = 0; k < pieces.size(); ++k) {
-    if (pieces[k].self) return true;
-    for (size_t n = 0; n < k; ++n) {
-      if (pbd::meet(pieces[k].filter, pieces[n].filter)) return true;
-    }
-  }
-  return false;
-}
-
-template <class D>
-void SelfContacts<D>::set_pieces(std::span<const ContactPiece> pieces, std::span<const float> fineness) {
-  std::vector<self_contact_kernels::PieceProperties> rows;
-  least_distance_ = 1e30f;
-  for (size_t k = 0; k < pieces.size(); ++k) {
-    const ContactPiece& p = pieces[k];
-    const float least = std::min(p.thickness, fineness[k]);
-    least_distance_ = std::min(least_distance_, self_contact_tuning::least_distance * least);
-    rows.push_back({p.thickness, p.friction, p.filter.groups, p.filter.mask, p.self,
-                    self_contact_tuning::nearness * least});
-  }
-  pieces_.resize_discard(rows.size());
-  pieces_.write(rows);
-  set_frames(rows.size());
-  piece_sums_.resize_discard(4 * rows.size());
-}
-
-template <class D>
-void SelfContacts<D>::set_frames(size_t pieces) {
-  frames_.resize_discard(std::min<size_t>(pieces, self_contact_tuning::most_frames));
-  frame_of_.resize_discard(pieces);
-  cell_of_.resize_discard(pieces);
-  const size_t rows = pieces + frames_.size();
-  displacement_sums_.resize_discard(4 * rows);
-  immovable_.resize_discard(6 * rows);
-  movable_.resize_discard(6 * rows);
-  for (pbd::Buffer<uint32_t>* buffer : {&frame_of_, &cell_of_, &immovable_, &movable_}) buffer->fill(0);
-  frames_.fill(0);
-  displacement_sums_.fill(0);
-  tree_.reserve_before(frames_.size() > 1);
-}
 
 template <class D>
 void SelfContacts<D>::save() {
@@ -376,7 +284,8 @@ self_contact_kernels::ClothState SelfContacts<D>::cloth(const pbd::Substep<D>& s
           features_.view(),
           pieces_.view(),
           rough_.view(),
-          frames()};
+          frames(),
+          of_world_};
 }
 
 template <class D>
@@ -424,7 +333,7 @@ self_contact_kernels::PieceSums SelfContacts<D>::piece_sums() {
 
 template <class D>
 self_contact_kernels::Folds SelfContacts<D>::folds() {
-  return {fold_state_.view(), fold_noted_.view(), fold_list_.view(), counters_.view()};
+  return {fold_state_.view(), fold_noted_.view(), fold_list_.view(), counters_.view(), of_world_.groups};
 }
 
 template <class D>
@@ -432,9 +341,18 @@ self_contact_kernels::ContactList SelfContacts<D>::list() {
   return {corners_.view(), plane_.view(), multiplier_.view(), weights_.view(), counters_.view()};
 }
 
+/// For each world.
 template <class D>
 uint32_t SelfContacts<D>::launched(uint32_t counter, size_t capacity) {
-  return pbd::launch_size<D>(counters_.view()[counter], capacity, most_threads);
+  uint32_t most = 0;
+  if constexpr (!D::runs_at_once) {
+    for (uint32_t w = 0; w < worlds_; ++w)
+      most = std::max(most, counters_.view()[w * self_contact_kernels::counter_count + counter]);
+  }
+  return pbd::launch_size<D>(most, room_of_world(capacity), std::max(1u, most_threads / worlds_));
 }
 
 }  // namespace meniscus::cloth
+
+#include "cloth/self_contact/self_contact_surface.inl"
+#include "cloth/self_contact/self_contact_worlds.inl"

@@ -43,18 +43,20 @@ struct PushSums {
 /// contacts act at once. A vertex with k contacts gives 1/k of its mass to each (mass splitting, Tonge,
 /// Benevolenski & Voroshilov 2012). So together they do not push too far.
 struct PushApart {
-  ContactList list;
+  ContactList all_contacts;
   View<const Vec4> position, previous;  // by vertex
   View<const uint32_t> entries;         // by vertex: its number of contacts
   PushSums sums;
-  uint32_t stride;
+  uint32_t worlds;
+  uint32_t stride;  // threads for each world
 
   MENISCUS_HD void operator()(uint32_t thread) const {
+    const ContactList list = all_contacts.of(thread / stride, all_contacts.corners.count / worlds);
     const uint32_t count = list.count();
-    for (uint32_t c = thread; c < count; c += stride) solve(c);
+    for (uint32_t c = thread % stride; c < count; c += stride) solve(list, c);
   }
 
-  MENISCUS_HD void solve(uint32_t c) const {
+  MENISCUS_HD void solve(const ContactList& list, uint32_t c) const {
     const Corners corners = list.corners[c];
     const ContactWeights w = list.weights[c];
     float weight[4];
@@ -70,13 +72,14 @@ struct PushApart {
       give += static_cast<float>(entries[v]) * x.w * weight[k] * weight[k];
     }
     if (!(give > 0)) return;
-    const Vec3 added = push(c, r, slip, give, w.friction);
+    const Vec3 added = push(list, c, r, slip, give, w.friction);
     if (added == Vec3{0, 0, 0}) return;
     for (uint32_t k = 0; k < 4; ++k) sums.add(corners.vertex(k), weight[k] * added);
   }
 
   /// The increment of the contact's push, kg·m.
-  MENISCUS_HD Vec3 push(uint32_t c, Vec3 r, Vec3 slip, float give, float friction) const {
+  MENISCUS_HD static Vec3 push(const ContactList& list, uint32_t c, Vec3 r, Vec3 slip, float give,
+                               float friction) {
     const Vec4 plane = list.plane[c], old = list.multiplier[c];
     const Vec3 n = plane.xyz();
     const float normal = pbd::max(0, old.w - (dot(n, r) - plane.w) / give);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "pbd/contacts.h"
+#include "pbd/repeated.h"
 
 namespace meniscus::cloth {
 
@@ -112,6 +113,24 @@ SelfContactTables build_tables(std::span<const SurfaceTriangle> triangles, std::
   find_neighbours(triangles, tables);
   measure_fineness(triangles, positions, tables);
   return tables;
+}
+
+SelfContactTables of_worlds(const SelfContactTables& one, uint32_t pieces, uint32_t worlds) {
+  const auto groups = static_cast<uint32_t>(one.neighbour_start.size() - 1),
+             neighbours = static_cast<uint32_t>(one.neighbours.size());
+  SelfContactTables all;
+  all.fineness = one.fineness;
+  all.features = pbd::repeated(std::span<const uint16_t>(one.features), worlds);
+  all.vertex_piece =
+      pbd::repeated(std::span<const uint32_t>(one.vertex_piece), worlds, [&](uint32_t& piece, uint32_t w) {
+        if (piece != pbd::no_index) piece += w * pieces;
+      });
+  all.neighbours = pbd::repeated(std::span<const uint32_t>(one.neighbours), worlds,
+                                 [&](uint32_t& group, uint32_t w) { group += w * groups; });
+  all.neighbour_start = pbd::repeated(std::span<const uint32_t>(one.neighbour_start).first(groups), worlds,
+                                      [&](uint32_t& start, uint32_t w) { start += w * neighbours; });
+  all.neighbour_start.push_back(worlds * neighbours);
+  return all;
 }
 
 }  // namespace meniscus::cloth

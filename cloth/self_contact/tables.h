@@ -28,4 +28,8 @@ struct SelfContactTables {
 SelfContactTables build_tables(std::span<const pbd::SurfaceTriangle> triangles,
                                std::span<const Vec3> positions, size_t pieces);
 
+/// Those of all worlds of a batch, which follow one another, from those of one with so many pieces. The
+/// fineness stays that of one.
+SelfContactTables of_worlds(const SelfContactTables& one, uint32_t pieces, uint32_t worlds);
+
 }  // namespace meniscus::cloth

@@ -56,6 +56,35 @@ enum Counter : uint32_t {
   counter_count = crossings + most_rounds
 };
 
+/// How many of each a world of a batch has (pbd/worlds.h). Those of its worlds follow one another, and are
+/// numbered so. Lists and counters are those of each world: it searches, solves and repeats rounds by itself.
+struct OfWorld {
+  uint32_t vertices = 0, groups = 0, pieces = 0, frames = 0;
+};
+
+/// The part of an array that belongs to a world, where all have as much.
+template <class T>
+MENISCUS_HD View<T> part_of(View<T> all, uint32_t world, uint32_t each) {
+  return {all.data + size_t{world} * each, each};
+}
+template <class T>
+MENISCUS_HD View<T> counters_of(View<T> all, uint32_t world) {
+  return part_of(all, world, counter_count);
+}
+
+/// Which groups of triangles a group of threads takes: of a world, so many from the first on.
+struct GroupRange {
+  uint32_t world, first, count;
+
+  /// The n-th group of threads, of which each takes up to `most`.
+  MENISCUS_HD GroupRange(uint32_t n, uint32_t most, uint32_t groups_of_world) {
+    const uint32_t blocks = (groups_of_world + most - 1) / most, begin = n % blocks * most;
+    world = n / blocks;
+    first = world * groups_of_world + begin;
+    count = groups_of_world - begin < most ? groups_of_world - begin : most;
+  }
+};
+
 /// Whether a round of the fail-safe has anything to do: the first has, and later ones if the round before
 /// found a pair.
 MENISCUS_HD inline bool is_round_needed(View<const uint32_t> found, uint32_t round) {
@@ -151,6 +180,10 @@ struct GroupPairs {
   View<uint32_t> counters;
 
   MENISCUS_HD uint32_t count() const { return listed(list, counters[group_pairs]); }
+  /// Those of one world, of all.
+  MENISCUS_HD GroupPairs of(uint32_t world, uint32_t each) const {
+    return {part_of(list, world, each), counters_of(counters, world)};
+  }
 };
 
 /// Which groups have smooth surroundings. The normals of a group and of all its neighbours, which share a
@@ -227,6 +260,11 @@ struct ContactList {
   View<uint32_t> counters;
 
   MENISCUS_HD uint32_t count() const { return listed(corners, counters[contacts]); }
+  /// Those of one world, of all.
+  MENISCUS_HD ContactList of(uint32_t world, uint32_t each) const {
+    return {part_of(corners, world, each), part_of(plane, world, each), part_of(multiplier, world, each),
+            part_of(weights, world, each), counters_of(counters, world)};
+  }
 };
 
 /// The frames of reference of pieces, see frames.h.
@@ -249,6 +287,7 @@ struct ClothState {
   View<const PieceProperties> pieces;
   View<const uint32_t> rough;  // by group: whether it is bent so much that its edges stand out
   Frames frames;
+  OfWorld of_world;
 
   /// The vertices of a pair of features.
   MENISCUS_HD Corners corners_of(FeatureCode code) const {

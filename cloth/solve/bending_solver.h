@@ -11,6 +11,7 @@
 #include "cloth/build/cloth_model.h"
 #include "cloth/solve/bending_block_kernels.h"
 #include "pbd/device/buffer.h"
+#include "pbd/repeated.h"
 #include "pbd/substep.h"
 
 namespace meniscus::cloth {
@@ -28,10 +29,13 @@ class BendingSolver {
  public:
   explicit BendingSolver(D& device) : device_(device) {}
 
-  void set_model(const ClothModel& model);
+  /// `one`: the model of one world, without the constraints that chains and clusters took. `all`: of all
+  /// worlds.
+  void set_model(const ClothModel& one, const ClothModel& all);
   /// `pieces`: the same as the model's.
   void solve(pbd::Substep<D>& substep, const VertexState& vertices);
-  /// By piece, the least part of its bending stiffness that substeps have resolved since the model was set.
+  /// By piece of a world, the least part of its bending stiffness that substeps have resolved since the model
+  /// was set.
   const std::vector<float>& fractions() const { return fractions_; }
   void visit_state(pbd::StateVisitor& v) {
     v.value("counted_dt", counted_dt_);
@@ -63,19 +67,20 @@ class BendingSolver {
 };
 
 template <class D>
-void BendingSolver<D>::set_model(const ClothModel& model) {
-  const auto& hinges = model.constraints.isometric;
-  const std::vector<float>& masses = model.constraints.masses;
-  const BendingMatrix matrix = bending_matrix(hinges, masses);
-  rates_ = bending_rates(matrix, hinges, masses, model.pieces);
+void BendingSolver<D>::set_model(const ClothModel& one, const ClothModel& all) {
+  const auto& hinges = one.constraints.isometric;
+  const std::vector<float>& masses = one.constraints.masses;
+  rates_ = bending_rates(bending_matrix(hinges, masses), hinges, masses, one.pieces);
+  const BendingMatrix matrix = bending_matrix(all.constraints.isometric, all.constraints.masses);
   fractions_.assign(rates_.size(), 1);
   counted_dt_ = 0;
-  vertex_count_ = hinges.empty() ? 0 : static_cast<uint32_t>(masses.size());
+  vertex_count_ = hinges.empty() ? 0 : static_cast<uint32_t>(all.constraints.masses.size());
   upload(slice_start_, matrix.slice_start);
   upload(column_, matrix.column);
   upload(value_, matrix.value);
-  upload(device_rates_, rates_);
-  const size_t pieces = vertex_count_ > 0 ? rates_.size() : 0;
+  const auto worlds = static_cast<uint32_t>(one.pieces.empty() ? 1 : all.pieces.size() / one.pieces.size());
+  pbd::write_repeated(device_rates_, std::span<const BendingRate>(rates_), worlds);
+  const size_t pieces = vertex_count_ > 0 ? device_rates_.size() : 0;
   pieces_.resize_discard(pieces);
   steps_.resize_discard(pieces * cloth_tuning::most_bending_steps);
   for (auto* buffer : {&right_, &impulse_, &other_impulse_}) buffer->resize_discard(vertex_count_);
@@ -86,7 +91,7 @@ void BendingSolver<D>::solve(pbd::Substep<D>& substep, const VertexState& vertic
   using namespace bending_block_kernels;
   if (vertex_count_ == 0) return;
   const uint32_t count = count_steps(substep.dt);
-  device_.parallel_for("cloth/plan bending", static_cast<uint32_t>(rates_.size()),
+  device_.parallel_for("cloth/plan bending", static_cast<uint32_t>(device_rates_.size()),
                        Plan{device_rates_.view(), substep.dt, count, steps_.view(), pieces_.view()});
   const Block block{{slice_start_.view(), column_.view(), value_.view()},
                     vertices,

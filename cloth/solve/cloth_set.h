@@ -10,6 +10,7 @@
 #include "cloth/build/cloth_model.h"
 #include "cloth/build/wind.h"
 #include "cloth/solve/bending_solver.h"
+#include "cloth/solve/load_kernels.h"
 #include "cloth/solve/vertex_state.h"
 #include "cloth/solve/volume_kernels.h"
 #include "pbd/device/shared_buffer.h"
@@ -52,8 +53,8 @@ class ClothSet final : public pbd::ConstraintSet<D>, public pbd::Observer<D> {
   /// The model must be set again before the next step.
   void set_parameters(const ClothSolverParameters& parameters) { parameters_ = parameters; }
 
-  /// Sets all cloth of the world. Multipliers start from 0.
-  void set_model(const ClothModel& model);
+  /// Sets all cloth of the world, or of each world of a batch. Multipliers start from 0.
+  void set_model(const ClothModel& model, uint32_t worlds = 1);
   void set_wind(const Wind& wind) { wind_ = wind; }
 
   bool prepares() const override;
@@ -68,6 +69,11 @@ class ClothSet final : public pbd::ConstraintSet<D>, public pbd::Observer<D> {
   void save() override;
   void restore() override;
   void visit_state(pbd::StateVisitor& v);
+  void keep_world(uint32_t each) override;
+  void reset_worlds(const pbd::ChosenWorlds& worlds) override;
+  void undo_worlds(const pbd::ChosenWorlds& worlds) override;
+  /// Visits one world of a batch as visit_state() would visit it alone.
+  void visit_world(pbd::StateVisitor& v, uint32_t world);
 
   pbd::SurfaceView surface() const {
     return {triangles_.view(), rest_.view(), corner_start_.view(), corners_.view()};
@@ -85,7 +91,7 @@ class ClothSet final : public pbd::ConstraintSet<D>, public pbd::Observer<D> {
     buffer.resize_discard(values.size());
     buffer.write(values);
   }
-  void upload_constraints(const ClothModel& model);
+  ClothModel upload_constraints(const ClothModel& model);
   void upload_edges(const ClothModel& model, Clusters& clusters, const Chains& chains);
   void reserve_bending_multipliers(int iterations);
   void upload_adjacency(const ClothModel& model, const std::vector<EdgeConstraint>& edges);
@@ -111,14 +117,23 @@ class ClothSet final : public pbd::ConstraintSet<D>, public pbd::Observer<D> {
   bool starts_from_last() const { return warm_start_fraction_ > 0 && first_chain_edge_ > 0; }
   void start_from_last(pbd::Substep<D>& substep);
   /// Whether any piece may be loaded. Its multipliers must then be forgotten.
-  static bool may_be_loaded(const pbd::Substep<D>& substep) {
-    return substep.effective_mass.count > 0 || substep.fluid_near.count > 0;
+  bool may_be_loaded(const pbd::Substep<D>& substep) const {
+    return substep.effective_mass.count > 0 || substep.fluid_near.count > 0 || may_be_fresh();
   }
+  /// Whether worlds of a batch may be reset to a state without multipliers, while others have some.
+  bool may_be_fresh() const { return in_batch_ && kept_clock_.has_last == 0; }
   stretch_kernels::SolveEdge edge_solver(const pbd::Substep<D>& substep, const SweepOrder& order);
   void sweep_colours(pbd::Substep<D>& substep, const SweepOrder& order);
   void note_loads(pbd::Substep<D>& substep);
   void forget_pulls(pbd::Substep<D>& substep);
   void solve_chains(pbd::Substep<D>& substep, ChainStage stage, Direction direction);
+  void copy_clocks(const pbd::Buffer<load_kernels::WorldClock>& from,
+                   pbd::Buffer<load_kernels::WorldClock>& to) {
+    if (in_batch_)
+      device_.copy(to.view().data, from.view().data, from.size() * sizeof(load_kernels::WorldClock));
+  }
+  void write_multipliers(View<const uint32_t> chosen, View<const Vec4> edges, View<const float> chains,
+                         pbd::WorldsFrom kind);
   void apply_gas(pbd::Substep<D>& substep, bool starts);
 
   D& device_;
@@ -126,7 +141,7 @@ class ClothSet final : public pbd::ConstraintSet<D>, public pbd::Observer<D> {
   BendingSolver<D> bending_{device_};
   Wind wind_;
   double time_ = 0, start_time_ = 0;  // s
-  uint32_t vertex_count_ = 0;
+  uint32_t vertex_count_ = 0, worlds_ = 1;
   CommonDamping damping_;
   bool any_air_ = false, any_gas_ = false, any_tears_ = false;
   bool feels_wind_ = false;                // in this substep
@@ -167,6 +182,16 @@ class ClothSet final : public pbd::ConstraintSet<D>, public pbd::Observer<D> {
   pbd::Buffer<volume_kernels::GasState> gas_partial_{device_, "gas sums"}, gas_{device_, "gas"};
   pbd::Buffer<float> gas_step_{device_, "gas steps"};
   pbd::SharedBuffer<uint32_t> tears_{device_, "tears"};
+
+  // Of a batch.
+  bool in_batch_ = false;
+  load_kernels::WorldClock kept_clock_{};
+  float kept_last_dt_ = 0;  // s
+  pbd::Buffer<load_kernels::WorldClock> clocks_{device_, "cloth clocks"},
+      saved_clocks_{device_, "cloth clocks"}, kept_clocks_{device_, "cloth clocks"};
+  pbd::Buffer<uint32_t> edge_places_{device_, "edges by world"};  // empty: in the order of worlds
+  pbd::Buffer<Vec4> kept_edge_multiplier_{device_, "kept edge multipliers"};
+  pbd::Buffer<float> kept_chain_multiplier_{device_, "kept chain multipliers"};
 };
 
 }  // namespace meniscus::cloth

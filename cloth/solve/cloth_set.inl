@@ -12,6 +12,7 @@
 #include "cloth/solve/cloth_set.h"
 #include "cloth/solve/colour_kernel.h"
 #include "cloth/solve/load_kernels.h"
+#include "cloth/solve/of_worlds.h"
 #include "cloth/solve/sweep_kernel.h"
 #include "cloth/solve/tear_kernels.h"
 #include "cloth/solve/tether_kernels.h"
@@ -21,17 +22,20 @@
 namespace meniscus::cloth {
 
 template <class D>
-void ClothSet<D>::set_model(const ClothModel& model) {
+void ClothSet<D>::set_model(const ClothModel& one, uint32_t worlds) {
   device_.wait();
+  worlds_ = worlds;
+  clocks_.resize_discard(in_batch_ ? worlds : 0);
+  saved_clocks_.resize_discard(clocks_.size());
+  vertex_count_ = worlds * static_cast<uint32_t>(one.rest.size());
+  const ClothModel model = upload_constraints(one);
   const auto any = [&](auto has) { return std::any_of(model.pieces.begin(), model.pieces.end(), has); };
   any_air_ = any([](const Piece& p) { return p.drag > 0 || p.lift > 0; });
   any_gas_ = any([](const Piece& p) { return p.inside > 0; });
   any_tears_ = any([](const Piece& p) { return p.tear_strain > 0; });
   damping_ = common_damping(model.pieces);
-  vertex_count_ = static_cast<uint32_t>(model.rest.size());
   last_dt_ = 0;
 
-  upload_constraints(model);
   tether_pull_.resize_discard(model.tethers.size());
   upload(held_, model.held);
   std::vector<uint32_t> tether_start{0};
@@ -58,14 +62,21 @@ void ClothSet<D>::set_model(const ClothModel& model) {
   tears_.host()[0] = 0;
 }
 
+/// Returns the model of all worlds.
 template <class D>
-void ClothSet<D>::upload_constraints(const ClothModel& model) {
+ClothModel ClothSet<D>::upload_constraints(const ClothModel& model) {
   ClothConstraints constraints = model.constraints;
+  ClothModel one = model;
   const Chains chains = draw_chains(constraints, model.rest, model.pieces);
-  upload(tethers_, tethers_beside(chains, model));
-  bending_.set_model(model);
-  Clusters c = build_clusters(constraints, model.rest);
-  upload_edges(model, c, chains);
+  one.tethers = tethers_beside(chains, model);
+  ClothModel all = of_worlds(one, worlds_);
+  upload(tethers_, all.tethers);
+  bending_.set_model(model, all);
+  const auto vertices = static_cast<uint32_t>(model.rest.size());
+  const Clusters clusters = build_clusters(constraints, model.rest);
+  Clusters c = of_worlds(clusters, vertices, worlds_);
+  upload(edge_places_, places_by_world(clusters.colour_starts, in_batch_ ? worlds_ : 0));
+  upload_edges(all, c, of_worlds(chains, vertices, worlds_));
   upload(strains_, c.strains);
   upload(hinges_, c.hinges);
   upload(batches_, c.batches);
@@ -75,6 +86,7 @@ void ClothSet<D>::upload_constraints(const ClothModel& model) {
   bending_passes_ = c.bending_passes;
   colour_starts_ = c.colour_starts;
   strain_multiplier_.resize_discard(c.strains.size());
+  return all;
 }
 
 /// Multipliers of bending last for one substep. With a single iteration none are stored.
@@ -132,9 +144,11 @@ template <class D>
 void ClothSet<D>::prepare(pbd::Substep<D>& substep) {
   if (!prepares()) return;
   const double time = wind_.gusty ? time_ : 0;  // a constant keeps launches alike without gusts
-  device_.parallel_for_lanes("cloth/wind", static_cast<uint32_t>(triangles_.size()),
-                             wind_kernels::BlowOnTriangles{triangles_.view(), vertices(substep), wind_,
-                                                           static_cast<float>(time), wind_force_.view()});
+  const View<load_kernels::WorldClock> no_clocks{};
+  device_.parallel_for_lanes(
+      "cloth/wind", static_cast<uint32_t>(triangles_.size()),
+      wind_kernels::BlowOnTriangles{triangles_.view(), vertices(substep), wind_, static_cast<float>(time),
+                                    wind_.gusty ? clocks_.view() : no_clocks, wind_force_.view()});
   feels_wind_ = true;
 }
 
@@ -164,6 +178,11 @@ void ClothSet<D>::note_loads(pbd::Substep<D>& substep) {
   if (substep.fluid_near.count > 0) {
     device_.parallel_for("cloth/loads of fluid", vertex_count_,
                          NoteFluidLoads{substep.fluid_near, vertices(substep), loaded_.view()});
+  }
+  if (may_be_fresh()) {
+    device_.parallel_for(
+        "cloth/fresh", static_cast<uint32_t>(loaded_.size()),
+        MarkFresh{clocks_.view(), static_cast<uint32_t>(loaded_.size()) / worlds_, loaded_.view()});
   }
 }
 
@@ -241,7 +260,7 @@ stretch_kernels::SolveEdge ClothSet<D>::edge_solver(const pbd::Substep<D>& subst
           .fraction = order.starts() ? warm_start_fraction_ : 1,
           .momentum = order.follows == Follows::last_round ? cloth_tuning::round_momentum : 0,
           .shears = starts_from_last(),
-          .loaded = substep.fluid_near.count > 0 ? loaded_.view() : View<uint32_t>{},
+          .loaded = substep.fluid_near.count > 0 || may_be_fresh() ? loaded_.view() : View<uint32_t>{},
           .ends = order.ends,
           .next_fraction = parameters_.warm_start};
 }
@@ -322,6 +341,8 @@ void ClothSet<D>::apply_gas(pbd::Substep<D>& substep, bool starts) {
 template <class D>
 void ClothSet<D>::settle(pbd::Substep<D>& substep) {
   if (starts_from_last()) forget_pulls(substep);
+  device_.parallel_for("cloth/clocks", static_cast<uint32_t>(clocks_.size()),
+                       load_kernels::AdvanceClocks{clocks_.view(), substep.dt});
 }
 
 template <class D>
@@ -354,12 +375,14 @@ void ClothSet<D>::visit_state(pbd::StateVisitor& v) {
   v.value("last_dt", last_dt_);
   v.array("edge_multiplier", edge_multiplier_.view(), edge_multiplier_.size());
   v.part("bending", bending_);
+  if (in_batch_) v.array("clock", clocks_.view(), clocks_.size());
 }
 
 /// Chains start without a push. Only the sizes of their last multipliers matter.
 template <class D>
 void ClothSet<D>::save() {
   saved_last_dt_ = last_dt_;
+  copy_clocks(clocks_, saved_clocks_);
   device_.copy(saved_edge_multiplier_.view().data, edge_multiplier_.view().data,
                first_chain_edge_ * sizeof(Vec4));
   device_.parallel_for("cloth/save chains", static_cast<uint32_t>(saved_chain_multiplier_.size()),
@@ -369,6 +392,7 @@ void ClothSet<D>::save() {
 template <class D>
 void ClothSet<D>::restore() {
   last_dt_ = saved_last_dt_;
+  copy_clocks(saved_clocks_, clocks_);
   device_.copy(edge_multiplier_.view().data, saved_edge_multiplier_.view().data,
                first_chain_edge_ * sizeof(Vec4));
   device_.parallel_for("cloth/restore chains", static_cast<uint32_t>(saved_chain_multiplier_.size()),
@@ -383,3 +407,5 @@ std::vector<Vec3> ClothSet<D>::read_reactions() const {
 }
 
 }  // namespace meniscus::cloth
+
+#include "cloth/solve/cloth_worlds.inl"

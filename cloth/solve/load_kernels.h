@@ -10,8 +10,9 @@
 
 namespace meniscus::cloth::load_kernels {
 
-/// The load of a piece; fluid, if bodies load it as well.
-enum Load : uint32_t { nothing, bodies, fluid };
+/// The load of a piece; fluid, if bodies load it as well. A fresh piece has no last multipliers to start
+/// from, whatever loads it.
+enum Load : uint32_t { nothing, bodies, fluid, fresh };
 
 /// Marks the piece of each vertex that is near a movable body, or attached to one. Contacts at a distance
 /// count as well. Otherwise a piece that a heavy body left for one substep would start from its earlier
@@ -46,6 +47,35 @@ struct NoteFluidLoads {
   }
 };
 
+/// What a world of a batch has of its own, beside arrays.
+struct WorldClock {
+  double time;        ///< s
+  uint32_t has_last;  ///< 1: a substep has left multipliers
+  uint32_t unused = 0;
+};
+
+/// Marks the pieces of worlds that have no last multipliers.
+struct MarkFresh {
+  View<const WorldClock> clocks;
+  uint32_t pieces;  ///< of a world
+  View<uint32_t> loaded;
+
+  MENISCUS_HD void operator()(uint32_t p) const {
+    if (!clocks[p / pieces].has_last) loaded[p] = fresh;
+  }
+};
+
+/// Ends a substep, by world.
+struct AdvanceClocks {
+  View<WorldClock> clocks;
+  float dt;
+
+  MENISCUS_HD void operator()(uint32_t w) const {
+    clocks[w].time += static_cast<double>(dt);
+    clocks[w].has_last = 1;
+  }
+};
+
 /// Clears the multipliers of edges outside chains in loaded pieces.
 struct Forget {
   View<const uint32_t> edge_end_start, edge_ends;  ///< the ends of edges at each vertex: 2 · edge + end
@@ -54,7 +84,8 @@ struct Forget {
   View<Vec4> multiplier;
 
   MENISCUS_HD void operator()(uint32_t v) const {
-    if (loaded[vertices.piece_number(v)] == nothing) return;
+    const uint32_t load = loaded[vertices.piece_number(v)];
+    if (load == nothing || load == fresh) return;
     for (uint32_t k = edge_end_start[v]; k < edge_end_start[v + 1]; ++k) {
       if (edge_ends[k] % 2 == 0) multiplier[edge_ends[k] / 2] = {0, 0, 0, 0};
     }

@@ -30,7 +30,7 @@ struct SolveEdge {
   /// Chains hold the lengths around the edge, and the edge has a warm start. What remains for it is shear,
   /// which it resists under compression as under tension. Rows that slide along themselves compress all
   /// diagonals. Pieces loaded by fluid are excluded, if `loaded` tells which these are: they bulge, and must
-  /// buckle.
+  /// buckle. So are fresh pieces, which have no warm start.
   bool shears;
   View<const uint32_t> loaded;  ///< by piece, see load_kernels::Load
   bool ends;                    ///< the last sweep of the substep: what remains is for the next one
@@ -126,7 +126,7 @@ struct SolveEdge {
     using Real = typename D::Real;
     if (!shears || loaded.count == 0) return Real(shears ? 1.0f : 0.0f);
     return pbd::by_lane<D>([&](uint32_t lane) {
-      return loaded[vertices.piece_number(v.at[lane])] == load_kernels::fluid ? 0.0f : 1.0f;
+      return loaded[vertices.piece_number(v.at[lane])] >= load_kernels::fluid ? 0.0f : 1.0f;
     });
   }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "cloth/build/wind.h"
+#include "cloth/solve/load_kernels.h"
 #include "cloth/solve/vertex_state.h"
 #include "pbd/device/side_by_side.h"
 #include "pbd/surface_tree/surface.h"
@@ -23,7 +24,8 @@ struct BlowOnTriangles {
   View<const pbd::SurfaceTriangle> triangles;
   VertexState vertices;
   Wind wind;
-  float time;
+  float time;                                   ///< s
+  View<const load_kernels::WorldClock> clocks;  ///< in place of `time`, by world of a batch
   View<Vec4>
       force;  ///< N, on each corner; w: N·s/m, the greatest rate at which the force falls with the speed
 
@@ -50,7 +52,12 @@ struct BlowOnTriangles {
     const View<Vec4> position = vertices.particles.position, velocity = vertices.particles.velocity;
     const Vector a = of_all(position, 0), b = of_all(position, 1), c = of_all(position, 2);
     const Vector speed = third * (of_all(velocity, 0) + of_all(velocity, 1) + of_all(velocity, 2));
-    const Vector u = wind.at(third * (a + b + c), time) - speed;
+    const auto time_of = [&](uint32_t lane) {
+      const uint32_t each = triangles.count / clocks.count;
+      return static_cast<float>(clocks[together.items.at[lane] / each].time);
+    };
+    const Real now = clocks.count ? pbd::by_lane<D>(time_of) : Real(time);
+    const Vector u = wind.at(third * (a + b + c), now) - speed;
     const Vector normal = cross(b - a, c - a);
     const Real twice_area = square_root(dot(normal, normal)), fast = square_root(dot(u, u));
     // A triangle without area, or one that moves with the air, feels no force.

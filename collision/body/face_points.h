@@ -39,8 +39,8 @@ class FacePoints final : public pbd::ConstraintSet<D> {
     wanted_.host()[0] = 0;
   }
 
-  /// Sets all faces. The view must stay valid until the next call.
-  void set_surface(const pbd::SurfaceView& surface);
+  /// Sets all faces, of so many worlds. The view must stay valid until the next call.
+  void set_surface(const pbd::SurfaceView& surface, uint32_t worlds = 1);
   /// The largest number of points that a substep of the last step needed.
   uint32_t wanted() const { return wanted_.host()[0]; }
 
@@ -75,9 +75,10 @@ class FacePoints final : public pbd::ConstraintSet<D> {
   const BodySet<D>& bodies_;
   ContactSet<D>& contacts_;
   uint32_t vertices_ = 0;  // number of vertices of the faces
-  uint32_t room_ = 0;      // number of points
-  bool active_ = false;    // whether points are in use; else faces are only tested
-  uint32_t idle_ = 0;      // consecutive steps that needed no point
+  uint32_t worlds_ = 1;
+  uint32_t room_ = 0;    // number of points
+  bool active_ = false;  // whether points are in use; else faces are only tested
+  uint32_t idle_ = 0;    // consecutive steps that needed no point
 
   pbd::SurfaceView surface_;
   pbd::Buffer<uint32_t> needed_{device_, "face flags"}, number_{device_, "face point numbers"};

@@ -15,8 +15,9 @@
 namespace meniscus::collision {
 
 template <class D>
-void FacePoints<D>::set_surface(const pbd::SurfaceView& surface) {
+void FacePoints<D>::set_surface(const pbd::SurfaceView& surface, uint32_t worlds) {
   device_.wait();
+  worlds_ = worlds;
   surface_ = surface;
   vertices_ = surface.triangles.count ? surface.corner_start.count - 1 : 0;
   wanted_.host()[0] = 0;
@@ -77,7 +78,9 @@ face_kernels::Points FacePoints<D>::points(const pbd::Substep<D>& substep) const
           surface_.corner_start,
           surface_.corners,
           substep.particles.owned - room_,
-          room_};
+          room_,
+          surface_.triangles.count / worlds_,
+          vertices_ / worlds_};
 }
 
 template <class D>

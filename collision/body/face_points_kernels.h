@@ -125,6 +125,7 @@ struct Points {
   View<const uint32_t> corner_start, corners;  ///< CSR, by vertex: its corners, 3 · triangle + corner
   uint32_t first = 0;                          ///< the particle that is point 0
   uint32_t room = 0;
+  uint32_t faces = 1, vertices = 0;  ///< of a world
 
   MENISCUS_HD uint32_t count() const {
     const uint32_t total = number[number.count - 1];
@@ -176,7 +177,7 @@ struct MakeParticles {
     particles.accumulated_delta[i] = {0, 0, 0, 0};
     phase[i] = pbd::phase_vertex | pbd::phase_face | pbd::phase_group(particles.phase[corner]) |
                (of_any(points.triangles[triangle]) & pbd::phase_overlapping);
-    slot[i] = number[i] = pbd::vertex_slot + (i - sorted);
+    slot[i] = number[i] = pbd::vertex_slot + (used ? number_of(n) : i - sorted);
     if (!used) {
       triangle_of[n] = pbd::no_index;
       particles.position[i] = previous[i] = pbd::with_w(particles.position[corner].xyz(), 0);
@@ -188,6 +189,11 @@ struct MakeParticles {
     particles.position[i] = pbd::with_w(at, w);
     previous[i] = pbd::with_w(points.mix(previous, sorted, triangle), w);
     particles.velocity[i] = pbd::with_w(points.mix(particles.velocity, sorted, triangle), 0);
+  }
+  /// Of point n, behind the vertices of its world.
+  MENISCUS_HD uint32_t number_of(uint32_t n) const {
+    const uint32_t first_face = points.triangle_of[n] / points.faces * points.faces;
+    return points.vertices + n - points.number[first_face];
   }
   /// Σ b² w over the corners.
   MENISCUS_HD float inverse_mass(uint32_t triangle) const {

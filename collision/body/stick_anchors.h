@@ -17,6 +17,12 @@ struct StickAnchor {
   uint32_t body;   ///< likewise
 };
 
+/// Lists of anchors by vertex, one after the other. Vertex v has those from start[v] to start[v + 1] − 1.
+struct StickLists {
+  pbd::View<const StickAnchor> anchors;
+  pbd::View<const uint32_t> start;
+};
+
 /// Lets friction take back what earlier substeps have left of a slip.
 ///
 /// Friction takes back the slip of its substep (ContactSet). What the solve leaves of that would otherwise be
@@ -43,14 +49,29 @@ class StickAnchors final : public pbd::ConstraintSet<D> {
   void save() override;
   void restore() override;
   void visit_state(pbd::StateVisitor& v);
+  void keep_world(uint32_t each) override;
+  void reset_worlds(const pbd::ChosenWorlds& worlds) override;
+  void undo_worlds(const pbd::ChosenWorlds& worlds) override;
+  /// Visits one world of a batch as visit_state() would visit it alone.
+  void visit_world(pbd::StateVisitor& v, uint32_t world);
 
  private:
+  void replace(const pbd::ChosenWorlds& chosen, const StickLists& by);
+  StickLists present() { return {anchors_.current(), start_.current()}; }
+
   D& device_;
   const BodySet<D>& bodies_;
   uint32_t vertices_ = 0;
   pbd::RestorableBuffer<StickAnchor> anchors_{device_, "stick anchors"};
   /// By vertex, where its anchors begin; the total comes last.
   pbd::RestorableBuffer<uint32_t> start_{device_, "stick anchor offsets"};
+
+  // Of a batch: the lists to which worlds are reset.
+  bool in_batch_ = false;
+  uint32_t kept_vertices_ = 0, kept_count_ = 0;
+  pbd::Buffer<StickAnchor> kept_anchors_{device_, "kept stick anchors"};
+  pbd::Buffer<uint32_t> kept_start_{device_, "kept stick anchors"};
+  pbd::Buffer<uint32_t> lengths_{device_, "stick anchors"};
 };
 
 }  // namespace meniscus::collision

@@ -96,6 +96,7 @@ void StickAnchors<D>::set_vertices(uint32_t count) {
   device_.wait();
   vertices_ = count;
   start_.reserve(count ? count + 1 : 0, 0);
+  lengths_.resize_discard(in_batch_ ? count : 0);
   if (count) device_.fill(start_.current().data, 0, (count + 1) * sizeof(uint32_t));
 }
 
@@ -103,7 +104,9 @@ template <class D>
 void StickAnchors<D>::begin(pbd::Substep<D>& substep) {
   const uint32_t room = substep.contacts.contacts.count;
   if (vertices_ == 0 || room == 0) return;
-  if (anchors_.current().count < room) anchors_.reserve(room, anchors_.current().count);
+  const uint32_t worlds = kept_vertices_ > 0 ? vertices_ / kept_vertices_ : 0;
+  const uint32_t wanted = in_batch_ ? 2 * room + worlds * kept_count_ : room;  // see replace()
+  if (anchors_.current().count < wanted) anchors_.reserve(wanted, anchors_.current().count);
   const pbd::ParticleView& p = substep.particles;
   device_.parallel_for("anchors/recall", room,
                        stick_kernels::Recall{{substep.contacts, p.sorted, vertices_},
@@ -151,3 +154,5 @@ void StickAnchors<D>::restore() {
 }
 
 }  // namespace meniscus::collision
+
+#include "collision/body/stick_worlds.inl"

@@ -36,7 +36,8 @@ struct ClampAtImpact {
   MENISCUS_HD Vec3 first_stop(uint32_t i, Vec3 from, Vec3 to, int round) const {
     float first = 2;
     Vec3 stop = to;
-    pbd::for_each_overlap(surface.tree, motion_box(from, to, 0), 0, 0, [&](uint32_t place) {
+    const uint32_t world = surface.world_of(i);
+    pbd::for_each_overlap(surface.tree, world, motion_box(from, to, 0), 0, 0, [&](uint32_t place) {
       const pbd::SurfaceTriangle t = load(surface.tree.triangles, place);
       if (!surface.meets(i, t.piece)) return;
       const float radius = surface.pieces[t.piece].radius;

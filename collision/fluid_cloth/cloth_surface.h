@@ -53,7 +53,9 @@ struct Surface {
   View<const uint32_t> marks;            // by place in the tree: see triangle_marks()
   View<const CollisionFilter> by_fluid;  // empty where all collide with everything
   View<const pbd::Phase> phase;          // of all particles
+  uint32_t each;                         // particles of fluids, of a world
 
+  MENISCUS_HD uint32_t world_of(uint32_t i) const { return i / each; }
   /// Whether particle i collides with the piece.
   MENISCUS_HD bool meets(uint32_t i, uint32_t piece) const {
     return !((phase[i] & pbd::phase_passing) && pieces[piece].flow > 0) && may_meet(i, piece);

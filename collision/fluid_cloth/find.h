@@ -30,7 +30,7 @@ struct ListNear {
 
   MENISCUS_HD void operator()(uint32_t i) const {
     const Aabb box = motion_box(surface.previous[i].xyz(), surface.position[i].xyz(), h);
-    if (!pbd::overlaps_any(surface.tree, box, 1)) {
+    if (!pbd::overlaps_any(surface.tree, surface.world_of(i), box, 1)) {
       if (phase[i] & pbd::phase_pressing) phase[i] &= ~pbd::phase_pressing;
       return;
     }
@@ -125,6 +125,7 @@ struct FindTouches {
   MENISCUS_HD void operator()(uint32_t k) const {
     if (k >= near.count()) return;
     const uint32_t i = near.particle[k];
+    const uint32_t world = surface.world_of(i);
     const Vec3 from = surface.previous[i].xyz(), to = surface.position[i].xyz();
     Layers layers;
     bool at_border = false;
@@ -133,7 +134,7 @@ struct FindTouches {
     const auto wanted = [&](uint32_t group) {
       return shapes[group].may_be_over(to) || pbd::overlap(surface.tree.box(1, group), on_way);
     };
-    pbd::for_each_overlap_in_warp(surface.tree, motion_box(from, to, h), wanted, [&](uint32_t place) {
+    pbd::for_each_overlap_in_warp(surface.tree, world, motion_box(from, to, h), wanted, [&](uint32_t place) {
       const pbd::SurfaceTriangle t = load(surface.tree.triangles, place);
       if (!surface.meets(i, t.piece)) return;
       const bool border = (surface.marks[place] & border_marks) != 0;
@@ -150,7 +151,7 @@ struct FindTouches {
     for (uint32_t n = 0; n < most_touches; ++n) {
       FluidClothContact& touch = near.touches[most_touches * k + n];
       if (n < layers.count())
-        write_touch(touch, layers[n], at_border);
+        write_touch(touch, world, layers[n], at_border);
       else if (SearchTeam::leads())
         touch.vertices = 0;
     }
@@ -185,7 +186,8 @@ struct FindTouches {
   MENISCUS_HD Place nearest_edge(uint32_t i, Vec3 to, float reach) const {
     Place edge{3e38f, {0, 0, 0}, no_index, 0, 0};
     const pbd::GroupsInBall wanted{surface.tree, to, reach};
-    pbd::for_each_overlap_in_warp(surface.tree, motion_box(to, to, reach), wanted, [&](uint32_t place) {
+    const Aabb around = motion_box(to, to, reach);
+    pbd::for_each_overlap_in_warp(surface.tree, surface.world_of(i), around, wanted, [&](uint32_t place) {
       const pbd::SurfaceTriangle t = load(surface.tree.triangles, place);
       if (!surface.meets(i, t.piece)) return;
       const pbd::Nearest end =
@@ -196,13 +198,14 @@ struct FindTouches {
     return edge;
   }
 
-  MENISCUS_HD void write_touch(FluidClothContact& touch, const Place& place, bool at_border) const {
+  MENISCUS_HD void write_touch(FluidClothContact& touch, uint32_t world, const Place& place,
+                               bool at_border) const {
     const pbd::SurfaceTriangle t = surface.tree.triangles[place.triangle];
     const float w = 1 - place.u - place.v;
     const Vec3 point = w * surface.end(t.a) + place.u * surface.end(t.b) + place.v * surface.end(t.c);
-    const float fraction = at_border ? covered(point, place) : 1;
-    uint32_t vertices = spread_out(surface, {point, place.normal, surface.pieces[t.piece].spread, t.piece},
-                                   touch, found[cut]);
+    const float fraction = at_border ? covered(world, point, place) : 1;
+    uint32_t vertices = spread_out(
+        surface, {point, place.normal, surface.pieces[t.piece].spread, t.piece, world}, touch, found[cut]);
     if (SearchTeam::leads()) {
       if (vertices == 0) {
         touch.set(vertices++, t.a, w);
@@ -217,12 +220,12 @@ struct FindTouches {
   }
 
   /// The fraction of the plane through the place that cloth covers, within the particle's support.
-  MENISCUS_HD float covered(Vec3 foot, const Place& place) const {
+  MENISCUS_HD float covered(uint32_t world, Vec3 foot, const Place& place) const {
     const float reach2 = h * h - pbd::max(0, place.distance) * pbd::max(0, place.distance);
     const float reach = sqrtf(pbd::max(reach2, fluid_cloth_tuning::least_cover2 * h * h));
     const Disc disc(foot, place.normal, reach);
     float sum = 0;
-    pbd::for_each_overlap_in_warp(surface.tree, motion_box(foot, foot, reach),
+    pbd::for_each_overlap_in_warp(surface.tree, world, motion_box(foot, foot, reach),
                                   pbd::GroupsInBall{surface.tree, foot, reach}, [&](uint32_t n) {
                                     const pbd::SurfaceTriangle t = load(surface.tree.triangles, n);
                                     const Vec3 a = surface.end(t.a), b = surface.end(t.b),

@@ -30,9 +30,9 @@ class FluidClothContacts final : public pbd::ContactSource<D> {
       : device_(device), particles_(particles), support_radius_(support_radius), tree_(device) {}
 
   /// Sets all triangles of all pieces, and the pieces by number. `positions` are those of the vertices at
-  /// rest.
+  /// rest. With several worlds all are those of the first.
   void set_surface(std::span<const pbd::SurfaceTriangle> triangles, std::span<const Vec3> positions,
-                   std::span<const FluidClothPiece> pieces);
+                   std::span<const FluidClothPiece> pieces, uint32_t worlds);
   /// One filter a fluid, or empty where all collide with everything. Must stay valid until the next call.
   void set_filters(pbd::View<const CollisionFilter> filters) { filters_ = filters; }
 
@@ -81,7 +81,7 @@ class FluidClothContacts final : public pbd::ContactSource<D> {
   pbd::Particles& particles_;
   float support_radius_;
   pbd::SurfaceTree<D> tree_;
-  uint32_t vertices_ = 0;
+  uint32_t vertices_ = 0, worlds_ = 1;
   float largest_radius_ = 0;
   bool permeable_ = false, absorbent_ = false;
   pbd::View<const CollisionFilter> filters_;

@@ -21,6 +21,7 @@
 #include "collision/fluid_cloth/tuning.h"
 #include "collision/fluid_cloth/wetting.h"
 #include "pbd/device/launch_size.h"
+#include "pbd/repeated.h"
 #include "pbd/surface_tree/surface_tree.inl"
 
 namespace meniscus::collision {
@@ -115,7 +116,8 @@ std::vector<WettingTouch> FluidClothContacts<D>::read_wetting(pbd::View<const pb
 template <class D>
 fluid_cloth_kernels::Surface FluidClothContacts<D>::surface(const pbd::Substep<D>& substep) {
   const pbd::ParticleView& p = substep.particles;
-  return {tree_.view(), p.previous, p.position, p.sorted, pieces_.view(), marks_.view(), filters_, p.phase};
+  return {tree_.view(),  p.previous, p.position, p.sorted,          pieces_.view(),
+          marks_.view(), filters_,   p.phase,    p.sorted / worlds_};
 }
 
 template <class D>
@@ -159,12 +161,13 @@ void FluidClothContacts<D>::reserve_near(uint32_t capacity) {
 template <class D>
 void FluidClothContacts<D>::set_surface(std::span<const pbd::SurfaceTriangle> triangles,
                                         std::span<const Vec3> positions,
-                                        std::span<const FluidClothPiece> pieces) {
+                                        std::span<const FluidClothPiece> pieces, uint32_t worlds) {
   device_.wait();
-  tree_.set_surface(triangles, positions);
-  vertices_ = triangles.empty() ? 0 : static_cast<uint32_t>(positions.size());
-  pieces_.resize_discard(pieces.size());
-  pieces_.write(pieces);
+  const auto vertices = static_cast<uint32_t>(positions.size()), all = static_cast<uint32_t>(pieces.size());
+  tree_.set_surface(triangles, positions, {worlds, vertices, all});
+  worlds_ = worlds;
+  vertices_ = triangles.empty() ? 0 : worlds * vertices;
+  pbd::write_repeated(pieces_, pieces, worlds);
   largest_radius_ = 0;
   permeable_ = absorbent_ = false;
   for (const FluidClothPiece& piece : pieces) {
@@ -173,9 +176,8 @@ void FluidClothContacts<D>::set_surface(std::span<const pbd::SurfaceTriangle> tr
     absorbent_ |= piece.absorbs != 0;
   }
   const std::vector<uint32_t> marks = triangle_marks(tree_.triangles());
-  marks_.resize_discard(marks.size());
-  marks_.write(marks);
-  shapes_.resize_discard(marks.size() / pbd::BoxGroup::size);
+  pbd::write_repeated(marks_, std::span<const uint32_t>(marks), worlds);
+  shapes_.resize_discard(marks_.size() / pbd::BoxGroup::size);
   counter_.resize_discard(1);
   wetting_count_.resize_discard(1);
   found_.resize_discard(fluid_cloth_kernels::found_count);

@@ -34,6 +34,8 @@ class FluidClothSet final : public pbd::ConstraintSet<D>, public pbd::VertexMean
 
   /// By vertex: inverse masses, 1/kg. `heaviest` is the largest mass of any vertex or particle, kg.
   void set_vertices(std::span<const float> inverse_masses, float heaviest);
+  /// In a batch, those of the worlds; the view must stay valid.
+  void set_gravities(const pbd::WorldGravities& gravities) { gravities_ = gravities; }
   /// Replaces the inverse masses of the vertices from `first` on.
   void weigh(uint32_t first, std::span<const float> inverse_masses) {
     if (self_weight_.size() > 0) self_weight_.write(inverse_masses, first);  // otherwise no cloth meets fluid
@@ -88,7 +90,8 @@ class FluidClothSet final : public pbd::ConstraintSet<D>, public pbd::VertexMean
   Loading loading_;
   Carrying carrying_;
   uint32_t draws_ = 0, draws_before_ = 0;  // substeps; each draws the passing particles anew
-  float unit_ = 0;                         // kg or kg·m: unit of the integers in which sums run
+  pbd::WorldGravities gravities_{};
+  float unit_ = 0;  // kg or kg·m: unit of the integers in which sums run
   pbd::Buffer<float> self_weight_{device_, "vertex masses"}, loaded_{device_, "loaded vertices"};
   pbd::Buffer<pbd::Vec4> change_{device_, "vertex changes"};
 };

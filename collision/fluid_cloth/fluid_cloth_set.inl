@@ -122,7 +122,8 @@ fluid_cloth_kernels::AtTouches FluidClothSet<D>::at_touches(const pbd::Substep<D
   return {contacts_.near(), substep.contacts.contacts,
           p.position,       p.accumulated_delta,
           p.previous,       p.phase,
-          p.sorted,         substep.dt * substep.dt * substep.gravity};
+          p.sorted,         substep.dt * substep.dt * substep.gravity,
+          gravities_,       substep.dt * substep.dt};
 }
 
 template <class D>

@@ -20,6 +20,7 @@
 #include "collision/fluid_cloth/tuning.h"
 #include "pbd/contacts.h"
 #include "pbd/math/units.h"
+#include "pbd/worlds.h"
 
 namespace meniscus::collision::fluid_cloth_kernels {
 
@@ -76,7 +77,9 @@ struct AtTouches {
   View<const Vec4> previous;
   View<const pbd::Phase> phase;
   uint32_t first_vertex;
-  Vec3 gravity_step;  ///< m: the displacement by gravity alone in the substep
+  Vec3 gravity_step;              ///< m: the displacement by gravity alone in the substep
+  pbd::WorldGravities gravities;  ///< in place of gravity_step, where worlds have their own
+  float dt2;                      ///< s², for them
 
   MENISCUS_HD FluidClothContact& touch(uint32_t k, uint32_t n) const {
     return near.touches[most_touches * k + n];
@@ -163,7 +166,8 @@ struct AtTouches {
   /// weight. A particle with less must run down vertical cloth. If it stuck, the topmost layer around a hull
   /// would weigh on the hull.
   MENISCUS_HD bool supports(Vec3 direction, float normal, uint32_t i) const {
-    const Vec3 weight = gravity_step / position[i].w, drag = weight - dot(weight, direction) * direction;
+    const Vec3 step = gravities.gravity.count ? dt2 * gravities.of(i, {0, 0, 0}) : gravity_step;
+    const Vec3 weight = step / position[i].w, drag = weight - dot(weight, direction) * direction;
     return normal > 0 && length(drag) <= fluid_cloth_tuning::most_drag * normal;
   }
 };

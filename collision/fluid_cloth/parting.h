@@ -41,7 +41,7 @@ struct PartNeighbours {
     Aabb all = self[0].box;
     for (uint32_t k = 1; k < self_count; ++k) all = pbd::joined(all, self[k].box);
     all = {SearchTeam::least(all.lower), -SearchTeam::least(-all.upper)};
-    pbd::OverlapWalk<pbd::TestTogether> walk(surface.tree, all, 1);
+    pbd::OverlapWalk<pbd::TestTogether> walk(surface.tree, surface.world_of(i), all, 1);
     for (uint32_t above, boxes; walk.next_group(above, boxes);) {
       for (uint32_t k = 0; k < self_count; ++k) {
         if (self[k].j == neighbours.sentinel || !are_parted_by(above, boxes, i, self[k])) continue;

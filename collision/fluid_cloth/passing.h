@@ -105,7 +105,7 @@ struct EndPassing {
     const Vec3 at = surface.previous[i].xyz();
     bool clear = true;
     const Aabb box = motion_box(at, at, clear_of_cloth(largest_radius));
-    pbd::for_each_overlap(surface.tree, box, 0, 0, [&](uint32_t place) {
+    pbd::for_each_overlap(surface.tree, surface.world_of(i), box, 0, 0, [&](uint32_t place) {
       const pbd::SurfaceTriangle t = load(surface.tree.triangles, place);
       const FluidClothPiece& piece = surface.pieces[t.piece];
       if (piece.flow == 0 || !surface.may_meet(i, t.piece)) return;

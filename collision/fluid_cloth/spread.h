@@ -18,6 +18,7 @@ struct SpreadAround {
   Vec3 point, normal;
   float radius;  // m
   uint32_t piece;
+  uint32_t world;
 };
 
 /// The vertices near a contact, each with a kernel's weight, as a warp gathers them in the contact. The
@@ -33,7 +34,8 @@ class Spread {
   /// The number of vertices that share the contact; 0 where they are too few, or all on one side.
   MENISCUS_HD uint32_t find() {
     const float r = around_.radius;
-    pbd::for_each_place_in_warp(surface_.tree, pbd::inflated({around_.point, around_.point}, r),
+    pbd::for_each_place_in_warp(surface_.tree, around_.world,
+                                pbd::inflated({around_.point, around_.point}, r),
                                 pbd::GroupsInBall{surface_.tree, around_.point, r},
                                 [&](uint32_t place, bool overlaps) { add(place, overlaps); });
     SearchTeam::sync();
@@ -109,7 +111,7 @@ MENISCUS_HD inline uint32_t spread_out(const Surface& surface, const SpreadAroun
   bool is_cut = false;
   uint32_t vertices = 0;
   for (float r = around.radius; r > least_spread * around.radius && vertices == 0; r *= next_spread) {
-    const SpreadAround within{around.point, around.normal, r, around.piece};
+    const SpreadAround within{around.point, around.normal, r, around.piece, around.world};
     Spread spread(surface, within, touch);
     vertices = spread.find();
     is_cut = is_cut || spread.is_cut();

@@ -79,7 +79,11 @@ solver_kernels::Prediction Solver<D>::predict(float dt, Vec3 gravity) {
   const ParticleView from = particles_.source();
   solver_kernels::Prediction prediction{from.position, from.velocity, gravity, dt};
   if (dt > 0) prediction.changes = velocity_changes(from, dt);
-  if (dt > 0 && gravities_.count) prediction.gravities = {gravities_, particles_.sorted() / worlds_};
+  if (dt > 0 && gravities_.count) {
+    prediction.gravities = {gravities_, particles_.sorted() / worlds_};
+    prediction.vertex_gravities = {gravities_, vertices_of_world()};
+    prediction.sorted = particles_.sorted();
+  }
   if (dt == 0 || !contacts_.limits_motion()) return prediction;
   const View<Vec4> predicted = particles_.predicted.view();
   device_.parallel_for("predict", from.owned, solver_kernels::Predict{prediction, predicted});
@@ -212,6 +216,7 @@ Solver<D>::Solver(D& device, Particles& particles, const SolverParameters& param
       contacts_(device),
       ghosts_(device, parameters.periodic, parameters.support_radius),
       kept_world_(device, particles),
+      kept_vertices_(device, particles),
       timer_(device) {
   device_.fix_sums(parameters.fixed_sums);
   readout_buffer_.resize_discard(1);

@@ -97,6 +97,7 @@ struct SurfaceTreeView {
   uint32_t start[most_levels];   ///< of each level, its first group
   uint32_t boxes[most_levels];   ///< of each level; its last group is padded with nowhere()
   uint32_t levels = 0;
+  uint32_t worlds = 1;                    ///< each has as many boxes of each level, which follow one another
   View<const SurfaceTriangle> triangles;  ///< in the tree's order; a is no_index for padding
 
   MENISCUS_HD BoxGroup& group(uint32_t level, uint32_t g) const { return groups[start[level] + g]; }
@@ -114,6 +115,8 @@ struct SurfaceTreeView {
     return tree;
   }
   MENISCUS_HD uint32_t groups_of(uint32_t level) const { return (boxes[level] + 7) / 8; }
+  /// Of a level, in one world.
+  MENISCUS_HD uint32_t groups_of_world(uint32_t level) const { return groups_of(level) / worlds; }
 };
 
 /// Which threads test the eight boxes of a group: one thread all of them, or the threads of a warp that walk
@@ -132,13 +135,17 @@ struct TestTogether {
 };
 
 /// Iterates over the boxes b ≥ `from` of a level that overlap, in ascending order; level 0 has the triangles'
-/// boxes. It stops at each group with overlaps, so that the threads of a warp continue together.
+/// boxes. It finds those of one world. It stops at each group with overlaps, so that the threads of a warp
+/// continue together.
 template <class Test = TestAlone>
 class OverlapWalk {
  public:
-  MENISCUS_HD OverlapWalk(const SurfaceTreeView& tree, const Aabb& box, uint32_t level, uint32_t from = 0)
+  MENISCUS_HD OverlapWalk(const SurfaceTreeView& tree, uint32_t world, const Aabb& box, uint32_t level,
+                          uint32_t from = 0)
       : tree_(tree), box_(box), level_(level), from_(from), at_(tree.levels - 1) {
-    roots_ = tree.levels ? tree.groups_of(at_) : 0;
+    const uint32_t each = tree.levels ? tree.groups_of_world(at_) : 0;
+    next_root_ = world * each;
+    roots_ = next_root_ + each;
   }
 
   /// The next box; false where there are no more.
@@ -194,14 +201,14 @@ class OverlapWalk {
   const uint32_t level_, from_;
   uint64_t open_ = 0;  // eight bits for each level, the lowest for group_: boxes still to be visited
   uint32_t at_, group_ = 0;
-  uint32_t roots_, next_root_ = 0;
+  uint32_t roots_, next_root_;
 };
 
 /// Calls visit(b) for each box b ≥ `from` of a level that overlaps, in ascending order.
 template <class Visit>
-MENISCUS_HD void for_each_overlap(const SurfaceTreeView& tree, const Aabb& box, uint32_t level, uint32_t from,
-                                  const Visit& visit) {
-  OverlapWalk walk(tree, box, level, from);
+MENISCUS_HD void for_each_overlap(const SurfaceTreeView& tree, uint32_t world, const Aabb& box,
+                                  uint32_t level, uint32_t from, const Visit& visit) {
+  OverlapWalk walk(tree, world, box, level, from);
   for (uint32_t b; walk.next(b);) visit(b);
 }
 
@@ -212,8 +219,9 @@ MENISCUS_HD inline float distance2(const Aabb& box, Vec3 p) {
 }
 
 /// Whether any box of a level overlaps.
-MENISCUS_HD inline bool overlaps_any(const SurfaceTreeView& tree, const Aabb& box, uint32_t level) {
-  OverlapWalk walk(tree, box, level);
+MENISCUS_HD inline bool overlaps_any(const SurfaceTreeView& tree, uint32_t world, const Aabb& box,
+                                     uint32_t level) {
+  OverlapWalk walk(tree, world, box, level);
   uint32_t found;
   return walk.next(found);
 }
@@ -241,10 +249,10 @@ MENISCUS_HD inline uint32_t boxes_behind(uint32_t boxes, uint32_t n) {
 /// holds. A GPU's warp distributes them, a group to eight threads. All threads call visit together, including
 /// those whose triangle does not overlap. A single thread visits only triangles that overlap.
 template <class Wanted, class Visit>
-MENISCUS_HD void for_each_place_in_warp(const SurfaceTreeView& tree, const Aabb& box, const Wanted& wanted,
-                                        const Visit& visit) {
+MENISCUS_HD void for_each_place_in_warp(const SurfaceTreeView& tree, uint32_t world, const Aabb& box,
+                                        const Wanted& wanted, const Visit& visit) {
   constexpr uint32_t teams = SearchTeam::count() / GroupTeam::count();
-  OverlapWalk<TestTogether> walk(tree, box, 1);
+  OverlapWalk<TestTogether> walk(tree, world, box, 1);
   for (uint32_t above, boxes; walk.next_group(above, boxes);) {
     boxes = boxes_where(boxes, [&](uint32_t k) { return wanted(8 * above + k); });
     uint32_t self = boxes_behind(boxes, SearchTeam::rank() / BoxGroup::size);
@@ -263,9 +271,9 @@ MENISCUS_HD void for_each_place_in_warp(const SurfaceTreeView& tree, const Aabb&
 
 /// Calls visit(b) for each triangle's box that overlaps, distributed as in for_each_place_in_warp.
 template <class Wanted, class Visit>
-MENISCUS_HD void for_each_overlap_in_warp(const SurfaceTreeView& tree, const Aabb& box, const Wanted& wanted,
-                                          const Visit& visit) {
-  for_each_place_in_warp(tree, box, wanted, [&](uint32_t place, bool overlaps) {
+MENISCUS_HD void for_each_overlap_in_warp(const SurfaceTreeView& tree, uint32_t world, const Aabb& box,
+                                          const Wanted& wanted, const Visit& visit) {
+  for_each_place_in_warp(tree, world, box, wanted, [&](uint32_t place, bool overlaps) {
     if (overlaps) visit(place);
   });
 }

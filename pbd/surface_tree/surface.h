@@ -17,6 +17,18 @@ struct SurfaceTriangle {
   uint32_t piece;  ///< the piece of cloth that it belongs to
 };
 
+/// The surfaces of a batch's worlds (worlds.h), which are alike and follow one another: their triangles,
+/// vertices and pieces have the numbers of the first world's, and so many more a world.
+struct SurfaceWorlds {
+  uint32_t worlds = 1;
+  uint32_t vertices = 0, pieces = 0;  ///< of a world
+
+  SurfaceTriangle of(uint32_t world, const SurfaceTriangle& t) const {
+    const uint32_t v = world * vertices;
+    return {t.a + v, t.b + v, t.c + v, t.piece + world * pieces};
+  }
+};
+
 struct SurfaceView {
   View<const SurfaceTriangle> triangles;
   View<const Vec3> rest;  ///< m, of each vertex: the shape in which it is free of strain

@@ -25,7 +25,7 @@ struct PathBoxes {
         first_vertex(particles.sorted),
         reach(reach_) {}
 
-  MENISCUS_HD static bool wanted() { return true; }
+  MENISCUS_HD static bool wanted(uint32_t /*world*/) { return true; }
   MENISCUS_HD Aabb of(uint32_t v) const {
     const Vec3 from = load(previous, first_vertex + v).xyz(), to = load(position, first_vertex + v).xyz();
     return inflated({min(from, to), max(from, to)}, reach);
@@ -40,11 +40,13 @@ class SurfaceTree {
   explicit SurfaceTree(D& device) : device_(device) {}
 
   /// Sets the triangles, which the tree reorders (see triangles()). `positions` (m, of each vertex) determine
-  /// which are neighbours. Use the rest positions: folded cloth has unrelated triangles nearby.
-  void set_surface(std::span<const SurfaceTriangle> triangles, std::span<const Vec3> positions);
+  /// which are neighbours. Use the rest positions: folded cloth has unrelated triangles nearby. With several
+  /// worlds both are those of the first.
+  void set_surface(std::span<const SurfaceTriangle> triangles, std::span<const Vec3> positions,
+                   const SurfaceWorlds& worlds = {});
 
-  /// Fits the triangles' boxes to those of their vertices, boxes.of(v). Nothing changes unless
-  /// boxes.wanted(), which the device evaluates.
+  /// Fits the triangles' boxes to those of their vertices, boxes.of(v). Those of a world do not change unless
+  /// boxes.wanted(world), which the device evaluates.
   template <class Boxes>
   void refit(const Boxes& boxes) {
     refit(view(), boxes);
@@ -57,11 +59,11 @@ class SurfaceTree {
   void reserve_before(bool any) { groups_before_.resize_discard(any ? groups_.size() : 0); }
 
   SurfaceTreeView view();
-  /// The number of places in the tree, including unused ones.
+  /// The number of places in the tree of each world, including unused ones.
   uint32_t places() const { return static_cast<uint32_t>(order_.size()); }
-  /// By place: the number of the triangle as given, or no_index.
+  /// By place of the first world: the number of the triangle as given, or no_index.
   const std::vector<uint32_t>& order() const { return order_; }
-  /// By place, on the host; a is no_index for unused places.
+  /// Likewise, on the host; a is no_index for unused places.
   const std::vector<SurfaceTriangle>& triangles() const { return sorted_; }
 
  private:

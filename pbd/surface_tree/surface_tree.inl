@@ -21,7 +21,7 @@ struct FitLevel {
   uint32_t level;
 
   MENISCUS_HD void operator()(uint32_t b) const {
-    if (!boxes.wanted()) return;
+    if (!boxes.wanted(b / (8 * tree.groups_of_world(level)))) return;
     Aabb box = empty_box;
     if (b < tree.boxes[level]) {
       const BoxGroup& below = tree.group(level - 1, b);
@@ -43,7 +43,7 @@ struct FitSubtrees {
 
   template <class Group>
   MENISCUS_HD void operator()(const Group& group, Scratch& /*scratch*/, uint32_t n) const {
-    if (!boxes.wanted()) return;
+    if (!boxes.wanted(n / (8 * tree.groups_of_world(top)))) return;
     for (uint32_t level = 0; level <= top; ++level) {
       const uint32_t count = 1u << 3 * (top - level), first = n * count, end = 8 * tree.groups_of(level);
       group.for_each(count, [&](uint32_t k) {
@@ -67,26 +67,36 @@ struct FitSubtrees {
 }  // namespace surface_kernels
 
 template <class D>
-void SurfaceTree<D>::set_surface(std::span<const SurfaceTriangle> triangles,
-                                 std::span<const Vec3> positions) {
+void SurfaceTree<D>::set_surface(std::span<const SurfaceTriangle> triangles, std::span<const Vec3> positions,
+                                 const SurfaceWorlds& worlds) {
   constexpr uint32_t most_roots = 64;  // this many boxes or fewer are tested one by one
   order_ = tree_order(triangles, positions);
-  sorted_.clear();
-  for (uint32_t t : order_)
-    sorted_.push_back(t == no_index ? SurfaceTriangle{no_index, no_index, no_index, 0} : triangles[t]);
+  uint32_t levels = 0;
+  for (uint32_t boxes = places(); boxes > 0; boxes = (boxes + 7) / 8) {
+    const bool enough = ++levels > 1 && boxes <= most_roots;
+    if (enough || levels == SurfaceTreeView::most_levels) break;
+  }
+  // The boxes of a world fill whole groups on each level, so that no box has triangles of two worlds.
+  while (worlds.worlds > 1 && order_.size() % (size_t{1} << 3 * levels) != 0) order_.push_back(no_index);
 
   layout_ = {};
-  uint32_t groups = 0, boxes = places();
-  while (boxes > 0) {
+  layout_.worlds = worlds.worlds;
+  uint32_t groups = 0;
+  for (uint32_t boxes = worlds.worlds * places(); layout_.levels < levels; boxes = (boxes + 7) / 8) {
     layout_.start[layout_.levels] = groups;
     layout_.boxes[layout_.levels] = boxes;
     groups += layout_.groups_of(layout_.levels++);
-    const bool enough = layout_.levels > 1 && boxes <= most_roots;
-    if (enough || layout_.levels == SurfaceTreeView::most_levels) break;
-    boxes = (boxes + 7) / 8;
   }
-  triangles_.resize_discard(sorted_.size());
-  triangles_.write(sorted_);
+  constexpr SurfaceTriangle unused{no_index, no_index, no_index, 0};
+  sorted_.clear();
+  for (uint32_t t : order_) sorted_.push_back(t == no_index ? unused : triangles[t]);
+  std::vector<SurfaceTriangle> all;
+  all.reserve(worlds.worlds * sorted_.size());
+  for (uint32_t w = 0; w < worlds.worlds; ++w) {
+    for (const SurfaceTriangle& t : sorted_) all.push_back(t.a == no_index ? unused : worlds.of(w, t));
+  }
+  triangles_.resize_discard(all.size());
+  triangles_.write(all);
   groups_.resize_discard(groups);
 }
 

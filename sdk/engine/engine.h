@@ -146,10 +146,11 @@ class Engine {
   // Batches of worlds (pbd/worlds.h). By slot, particles of a world follow one another.
   /// The rigid worlds of the bodies.
   virtual collision::RigidWorlds& rigid_worlds() = 0;
-  /// Makes so many worlds of the present state, which must be of fluids, fixed shapes and bodies alone. There
-  /// are as many rigid worlds already, and `solids` are those of all worlds. Then steps with particles or
-  /// bodies that are not finite are not undone.
-  virtual void make_worlds(const SolidShapes& solids) = 0;
+  /// Makes so many worlds of the present state, which must be of fluids, fixed shapes, and either bodies or
+  /// cloth. There are as many rigid worlds already, and `solids` are those of all worlds. `cloth` is that of
+  /// one. Then steps with particles, vertices or bodies that are not finite are not undone.
+  virtual void make_worlds(const SolidShapes& solids, const EngineCloth& cloth,
+                           const VertexNumbers& numbers) = 0;
   /// Call it after bodies of the worlds with chosen ≠ 0 were placed by a call of the user.
   virtual void place_worlds(std::span<const uint32_t> chosen) = 0;
   /// m/s², by world.
@@ -158,9 +159,9 @@ class Engine {
   virtual void reset_worlds(std::span<const uint32_t> chosen) = 0;
   /// Gives them the state before the last step.
   virtual void undo_worlds(std::span<const uint32_t> chosen) = 0;
-  /// By world: the number of particles that are not finite, and one more if a body was not.
+  /// By world: the number of particles and vertices that are not finite, and one more if a body was not.
   virtual void count_non_finite(std::span<uint32_t> counts) = 0;
-  /// By world: hash_particles() of it alone.
+  /// By world: hash_particles() of it alone, and the hashes of its vertices.
   virtual void hash_worlds(std::span<uint64_t> hashes) = 0;
   /// The state of all worlds' particles, and the forces on their bodies. A batch that restores it has as many
   /// worlds of the same archetype. Then its bodies are to be placed by place_worlds().
@@ -172,6 +173,8 @@ class Engine {
   virtual bool any_crowd() const = 0;
   /// Writes positions and velocities as write_arrays() does, without groups and ids.
   virtual void write_vectors(Vec3* positions, Vec3* velocities) = 0;
+  /// The same for vertices.
+  virtual void write_vertices(Vec3* positions, Vec3* velocities) = 0;
 
   // By slot.
   virtual void read_positions(std::span<Vec3> out) = 0;

@@ -10,6 +10,7 @@
 
 #include "cloth/rods/rod_set.h"
 #include "cloth/rods/rope_set.h"
+#include "cloth/self_contact/self_contacts.h"
 #include "collision/body/attachments.h"
 #include "collision/body/body_set.h"
 #include "collision/body/body_zones.h"
@@ -132,7 +133,7 @@ class DeviceEngine final : public Engine {
                                      const CollisionFilter& filter) override;
   std::optional<NearestSolid> nearest_solid(Vec3 point, float reach) override;
 
-  void set_cloth(const EngineCloth& cloth) override;
+  void set_cloth(const EngineCloth& cloth) override { set_cloth(cloth, 1); }
   void set_wind(const cloth::Wind& wind) override { cloth_.set_wind(wind); }
   void read_vertices(std::span<Vec3> positions, std::span<Vec3> velocities) override;
   std::vector<cloth::SegmentState> read_segments() override { return rods_.states(0, rods_.segment_count()); }
@@ -167,7 +168,8 @@ class DeviceEngine final : public Engine {
   }
 
   collision::RigidWorlds& rigid_worlds() override { return bodies_.worlds(); }
-  void make_worlds(const SolidShapes& solids) override;
+  void make_worlds(const SolidShapes& solids, const EngineCloth& cloth,
+                   const VertexNumbers& numbers) override;
   void place_worlds(std::span<const uint32_t> chosen) override;
   void set_gravities(std::span<const Vec3> gravities) override;
   void reset_worlds(std::span<const uint32_t> chosen) override;
@@ -179,6 +181,7 @@ class DeviceEngine final : public Engine {
   void write_world(uint32_t world, const EngineWorld& state) override;
   bool any_crowd() const override { return density_.any_crowd(); }
   void write_vectors(Vec3* positions, Vec3* velocities) override;
+  void write_vertices(Vec3* positions, Vec3* velocities) override;
 
   void push_particles(std::span<const uint32_t> slots, std::span<const Vec3> impulses) override;
   void place_particles(std::span<const uint32_t> slots, std::span<const Vec3> positions) override;
@@ -220,6 +223,12 @@ class DeviceEngine final : public Engine {
   /// Registers all phases with the solver; throws std::logic_error if a phase is missing or registered twice.
   void assemble();
   void add_diffuse(const fluid::DiffuseParameters& parameters);
+  void set_cloth(const EngineCloth& cloth, uint32_t worlds);
+  void number_vertices(uint32_t each);
+  void read_cloth_of(uint32_t world, EngineWorld& state);
+  void write_cloth_of(uint32_t world, const EngineWorld& state);
+  void visit_cloth_of(uint32_t world, pbd::StateVisitor& v);
+  void set_cloth_with_fluid(const EngineCloth& cloth, uint32_t worlds, float heaviest);
   void note_overlapping();
   void note_overlapping(pbd::View<const uint32_t> chosen_worlds);
   void reserve(uint32_t fluid, uint32_t vertices);
@@ -332,6 +341,8 @@ class DeviceEngine final : public Engine {
   pbd::Buffer<uint32_t> chosen_worlds_{device_, "chosen worlds"}, bad_worlds_{device_, "failed worlds"};
   pbd::Buffer<int64_t> world_hashes_{device_, "world hashes"};
   pbd::Buffer<pbd::Vec4> world_gravities_{device_, "world gravities"};
+  pbd::Buffer<uint64_t> vertex_numbers_{device_, "vertex numbers"};  // of one world
+  uint32_t pieces_of_world_ = 0;
 };
 
 }  // namespace meniscus

@@ -127,10 +127,11 @@ struct NotePlaced {
   collision::shape_contact_kernels::Touches touches;
   View<const pbd::Vec4> position;
   View<pbd::Phase> phase;
-  pbd::ChosenWorlds worlds;
+  pbd::ChosenWorlds worlds, worlds_of_vertices;
 
   MENISCUS_HD void operator()(uint32_t i) const {
-    if (!worlds.has(i)) return;
+    const uint32_t sorted = touches.sorted;
+    if (!(i < sorted ? worlds.has(i) : worlds_of_vertices.has(i - sorted))) return;
     const collision::Touch touch = touches.of(i);
     const Vec3 p = position[i].xyz();
     const float least = engine_tuning::overlapping * touch.radius;

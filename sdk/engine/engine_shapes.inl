@@ -92,7 +92,8 @@ void DeviceEngine<D>::note_overlapping(pbd::View<const uint32_t> chosen_worlds) 
                            contacts_.touches(particles_.phase.current.view(), particles_.sorted()),
                            position,
                            particles_.phase.current.view(),
-                           {chosen_worlds, particles_.sorted() / solver_.worlds(), particles_.count()}});
+                           {chosen_worlds, particles_.sorted() / solver_.worlds(), particles_.sorted()},
+                           {chosen_worlds, solver_.vertices_of_world(), particles_.vertices()}});
 }
 
 template <class D>

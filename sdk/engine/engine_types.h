@@ -18,7 +18,7 @@
 
 #include "cloth/build/cloth_model.h"
 #include "cloth/rods/rod.h"
-#include "cloth/self_contact/self_contacts.h"
+#include "cloth/self_contact/contact_piece.h"
 #include "cloth/solve/cloth_set.h"
 #include "collision/body/attachments.h"
 #include "collision/body/proxy.h"
@@ -36,6 +36,7 @@
 #include "fluid/surface/surface_mesh.h"
 #include "pbd/device/gl_buffers.h"
 #include "pbd/solver.h"
+#include "pbd/state/saved_state.h"
 #include "pbd/state/state_visitor.h"
 #include "sdk/engine/force_fields/force_field.h"
 #include "sdk/engine/vertex_track.h"
@@ -176,6 +177,9 @@ struct EngineCloth {
   std::vector<DrivenPiece> driven;
 };
 
+/// Numbers by which World::state_hash hashes the vertices of one world; empty without cloth.
+using VertexNumbers = std::vector<uint64_t>;
+
 /// Arrays in the memory of the device, by slot.
 struct EngineArrays {
   Vec3* positions = nullptr;
@@ -195,6 +199,9 @@ struct EngineWorld {
   float last_density_substep = 0;                    ///< s
   std::vector<collision::RigidImpulse> body_forces;  ///< see Engine::body_forces
   float last_substep = 0;                            ///< s
+  std::vector<pbd::Vec4> vertex_position, vertex_velocity;
+  std::vector<pbd::Phase> vertex_phase;
+  std::shared_ptr<pbd::SavedState> cloth;  ///< what parts of cloth carry; null without cloth
 };
 
 struct EngineStep {

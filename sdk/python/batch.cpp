@@ -87,6 +87,16 @@ void bind_readouts(nb::class_<PyBatch>& batch) {
       "velocities", [](const PyBatch& self) { return vectors(self, &WorldBatch::velocities); },
       "m/s, worlds × particles × 3.");
   batch.def_prop_ro(
+      "vertex_count",
+      [](const PyBatch& self) { return self.run([](WorldBatch& b) { return b.vertex_count(); }); },
+      "Of the cloth of each world.");
+  batch.def_prop_ro(
+      "cloth_positions", [](const PyBatch& self) { return vectors(self, &WorldBatch::cloth_positions); },
+      "m, worlds × vertices × 3, those of a world piece by piece in the order of their creation.");
+  batch.def_prop_ro(
+      "cloth_velocities", [](const PyBatch& self) { return vectors(self, &WorldBatch::cloth_velocities); },
+      "m/s, worlds × vertices × 3.");
+  batch.def_prop_ro(
       "state_hashes",
       [](const PyBatch& self) {
         return array_of(self.run([](WorldBatch& b) {
@@ -105,11 +115,16 @@ void bind_readouts(nb::class_<PyBatch>& batch) {
       "device_arrays",
       [](const PyBatch& self) {
         const BatchArrays all = self.run([](WorldBatch& b) { return b.device_arrays(); });
-        const auto wrap = [&](const DeviceArray& array) { return PyDeviceArray{array, false, self.owner()}; };
-        return make_result("BatchArrays", wrap(all.positions), wrap(all.velocities));
+        const auto wrap = [&](const DeviceArray& array) {
+          return array.data ? nb::cast(PyDeviceArray{array, false, self.owner()}) : nb::none();
+        };
+        return make_result("BatchArrays", wrap(all.positions), wrap(all.velocities),
+                           wrap(all.cloth_positions), wrap(all.cloth_velocities));
       },
       nb::sig("def device_arrays(self) -> meniscus.results.BatchArrays"),
-      "Positions and velocities in the memory of the device, worlds × particles × 3.");
+      "Positions and velocities in the memory of the device, worlds × particles × 3, and those of the "
+      "vertices "
+      "of cloth, worlds × vertices × 3.");
   batch.def(
       "insert",
       [](const PyBatch& self, uint32_t number, const PyWorld& state) {

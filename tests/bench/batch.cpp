@@ -24,6 +24,19 @@ void add_bodies(World& world, float side, int count) {
   }
 }
 
+/// A square sheet of so many vertices a side, held at its corners above the right half, where the water goes.
+void add_cloth(World& world, float side, int vertices) {
+  if (vertices == 0) return;
+  ClothDef cloth;
+  cloth.geometry = SheetGeometry{0.8f * side, 0.8f * side, vertices, vertices};
+  cloth.pose.position = {1.5f * side, 0.4f * side, 0.5f * side};
+  AttachmentDef corners;
+  corners.cloth = world.create_cloth(cloth);
+  const auto n = static_cast<uint32_t>(vertices);
+  corners.vertices = {0, n - 1, n * (n - 1), n * n - 1};
+  world.create_attachment(corners);
+}
+
 /// A box with a column of water in its left half.
 World small_dam(const CommonOptions& common, const BatchOptions& o) {
   WorldDef def = world_def(common);
@@ -41,6 +54,7 @@ World small_dam(const CommonOptions& common, const BatchOptions& o) {
   column.region = BoxRegion{{0, 0, 0}, {side, side, side}};
   world.add_fluid(column);
   add_bodies(world, side, o.bodies);
+  add_cloth(world, side, o.cloth);
   return world;
 }
 
@@ -77,6 +91,7 @@ Json run_case(const CommonOptions& common, const BatchOptions& o, int worlds) {
   return {{"worlds", worlds},
           {"particles_each", batch.particle_count()},
           {"bodies_each", batch.body_count()},
+          {"cloth_vertices_each", batch.vertex_count()},
           {"substeps", o.substeps},
           {"iterations", o.iterations},
           {"reset", o.reset},
@@ -88,7 +103,8 @@ Json run_case(const CommonOptions& common, const BatchOptions& o, int worlds) {
           {"failed", failed},
           {"max_neighbours", neighbours},
           {"allocations", memory.allocations - allocations},
-          {"bytes_per_particle", double(memory.bytes) / all}};
+          {"bytes_per_particle", double(memory.bytes) / all},
+          {"bytes_per_world", double(memory.bytes) / worlds}};
 }
 
 }  // namespace
@@ -100,6 +116,8 @@ CLI::App* add_batch(CLI::App& app, BatchOptions& o) {
       ->check(CLI::Range(1, 65536));
   batch->add_option("--particles", o.particles, "of each world, about")->check(CLI::Range(8, 1000000));
   batch->add_option("--bodies", o.bodies, "of each world")->check(CLI::Range(0, 1000));
+  batch->add_option("--cloth", o.cloth, "vertices along each side of a sheet in each world; 0: none")
+      ->check(CLI::IsMember({0}) | CLI::Range(2, 1000));
   batch->add_option("--rigid-threads", o.rigid_threads, "that step bodies; 0: one a core")
       ->check(CLI::Range(0, 1024));
   batch->add_option("--substeps", o.substeps, "a step");

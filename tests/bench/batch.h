@@ -14,6 +14,7 @@ struct BatchOptions {
   std::vector<int> worlds{1024};
   int particles = 1000;  // of each world, about
   int bodies = 0;        // of each world
+  int cloth = 0;         // vertices along each side of its sheet
   int rigid_threads = 0;
   int substeps = 4;
   int iterations = 4;

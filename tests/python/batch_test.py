@@ -49,6 +49,19 @@ class BatchTest(unittest.TestCase):
         world.step(DT)
         self.assertEqual(world.state_hash(), batch.state_hashes[1])
 
+    def test_cloth_moves_as_alone(self):
+        world = archetype()
+        sheet = world.add_cloth(geometry=meniscus.SheetGeometry(width=0.4, depth=0.4, columns=7, rows=7), pose=(0.2, 0.3, 0))
+        batch = meniscus.WorldBatch(world, worlds=3)
+        for _ in range(10):
+            batch.step(DT)
+            world.step(DT)
+        self.assertEqual(set(batch.state_hashes.tolist()), {world.state_hash()})
+        self.assertEqual(batch.vertex_count, 49)
+        np.testing.assert_array_equal(batch.cloth_positions[2], sheet.positions)
+        self.assertEqual(batch.cloth_velocities.shape, (3, 49, 3))
+        self.assertEqual(np.from_dlpack(batch.device_arrays().cloth_positions).shape, (3, 49, 3))
+
     def test_bodies_move_in_one_world(self):
         world = archetype()
         ball = world.add_body(geometry=meniscus.SphereGeometry(radius=0.1), pose=(0.3, 0.3, 0), density=300)

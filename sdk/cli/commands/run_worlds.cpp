@@ -140,6 +140,7 @@ class WorldsRun {
             {"worlds", batch_.worlds()},
             {"particles", batch_.particle_count()},
             {"bodies", batch_.body_count()},
+            {"cloth_vertices", batch_.vertex_count()},
             {"frames", frames_},
             {"time_step_s", without_noise(double{scene_.frame_time})},
             {"interrupted", interrupted_},

@@ -19,8 +19,8 @@ void add_vector(std::vector<double>& row, Vec3 v) {
   row.insert(row.end(), {double{v.x}, double{v.y}, double{v.z}});
 }
 
-/// Mean position, and mean and greatest speed.
-void add_fluid(std::vector<double>& row, std::span<const Vec3> positions, std::span<const Vec3> velocities) {
+/// Mean position, and mean and greatest speed; 0 if there are none.
+void add_points(std::vector<double>& row, std::span<const Vec3> positions, std::span<const Vec3> velocities) {
   double centre[3] = {0, 0, 0}, mean = 0, most = 0;
   for (std::size_t i = 0; i < positions.size(); ++i) {
     centre[0] += double{positions[i].x};
@@ -30,7 +30,7 @@ void add_fluid(std::vector<double>& row, std::span<const Vec3> positions, std::s
     mean += speed;
     most = std::max(most, speed);
   }
-  const auto count = static_cast<double>(positions.size());
+  const auto count = static_cast<double>(std::max<std::size_t>(positions.size(), 1));
   for (const double sum : centre) row.push_back(sum / count);
   row.push_back(mean / count);
   row.push_back(most);
@@ -46,6 +46,11 @@ WorldTable read_worlds(const WorldBatch& batch, const std::vector<BodyDef>& bodi
   WorldTable table;
   table.columns = {"time_s",     "failed",         "centre_x_m",        "centre_y_m",
                    "centre_z_m", "mean_speed_m_s", "greatest_speed_m_s"};
+  const std::size_t vertices = batch.vertex_count();
+  if (vertices > 0) {
+    for (const char* value : {"x_m", "y_m", "z_m", "mean_speed_m_s", "greatest_speed_m_s"})
+      table.columns.push_back(std::string("cloth_") + value);
+  }
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const std::string name = name_of(bodies[b], b);
     for (const char* value : {"_x_m", "_y_m", "_z_m", "_speed_m_s"}) table.columns.push_back(name + value);
@@ -56,7 +61,11 @@ WorldTable read_worlds(const WorldBatch& batch, const std::vector<BodyDef>& bodi
   for (uint32_t w = 0; w < batch.worlds(); ++w) {
     const WorldStatus& status = batch.status()[w];
     std::vector<double> row{status.time, status.failed ? 1.0 : 0.0};
-    add_fluid(row, positions.subspan(w * particles, particles), velocities.subspan(w * particles, particles));
+    add_points(row, positions.subspan(w * particles, particles),
+               velocities.subspan(w * particles, particles));
+    if (vertices > 0)
+      add_points(row, batch.cloth_positions().subspan(w * vertices, vertices),
+                 batch.cloth_velocities().subspan(w * vertices, vertices));
     for (const BodyState& state : states.subspan(w * each, each)) {
       add_vector(row, state.pose.position);
       row.push_back(double{length(state.velocity)});

@@ -51,8 +51,10 @@ struct BatchReport {
 
 /// Arrays in the memory of the device, world after world; see World::device_arrays.
 struct BatchArrays {
-  DeviceArray positions;   ///< float32, worlds × particles × 3, m
-  DeviceArray velocities;  ///< float32, worlds × particles × 3, m/s
+  DeviceArray positions;         ///< float32, worlds × particles × 3, m
+  DeviceArray velocities;        ///< float32, worlds × particles × 3, m/s
+  DeviceArray cloth_positions;   ///< float32, worlds × vertices × 3, m; empty without cloth
+  DeviceArray cloth_velocities;  ///< float32, worlds × vertices × 3, m/s
 };
 
 /// The state of all worlds of a batch at one moment, made by WorldBatch::snapshot. Its arrays stay on the
@@ -77,10 +79,11 @@ class BatchSnapshot {
 /// alone, whatever its place in the batch and whatever happens in the others (docs/batch.md). Positions are
 /// local to each world.
 ///
-/// The archetype has WorldDef::sums `fixed`. It has fluids, fixed shapes, bodies and joints. Cloth, ropes,
-/// granular materials, emitters, sinks, probes, force fields, hooks, viscosity, diffuse particles and
-/// periodic axes are refused by name, as are cfl_number, step_budget_ms, density.tolerance, the device's
-/// rigid solver, and all density solvers but `jacobi` and `chebyshev`.
+/// The archetype has WorldDef::sums `fixed`. It has fluids and fixed shapes, and either bodies and joints or
+/// cloth. Ropes, granular materials, emitters, sinks, probes, force fields, hooks, viscosity, diffuse
+/// particles and periodic axes are refused by name, as are cfl_number, step_budget_ms, density.tolerance, the
+/// device's rigid solver, all density solvers but `jacobi` and `chebyshev`, and cloth that tears, absorbs, is
+/// permeable or is driven.
 ///
 /// Only one thread may use a batch at a time. Every call may throw Error and has then changed nothing.
 class WorldBatch {
@@ -96,6 +99,7 @@ class WorldBatch {
   uint32_t worlds() const;             ///< number
   std::size_t particle_count() const;  ///< of each world
   std::size_t body_count() const;      ///< of each world
+  std::size_t vertex_count() const;    ///< of the cloth of each world
   const WorldDef& def() const;         ///< of the archetype
   DeviceInfo device() const;           ///< see World::device
 
@@ -124,9 +128,10 @@ class WorldBatch {
   void apply_impulse(uint32_t world, BodyId body, Vec3 impulse, Vec3 point);  ///< N·s, at a point in m
   void move_body(uint32_t world, BodyId body, const Pose& target, float duration);  ///< duration: s
 
-  /// Replaces one world by another that was built as the archetype was, with as many particles and bodies in
-  /// other places or with other velocities, or with another gravity. The world then has the bits of that one
-  /// alone. A reset gives it the archetype's state. Throws Error(invalid_argument) that names what differs.
+  /// Replaces one world by another that was built as the archetype was, with as many particles, bodies and
+  /// vertices in other places or with other velocities, or with another gravity. The world then has the bits
+  /// of that one alone. A reset gives it the archetype's state. Throws Error(invalid_argument) that names
+  /// what differs.
   void insert(uint32_t world, const World& state);
 
   std::span<const WorldStatus> status() const;  ///< by world
@@ -134,8 +139,11 @@ class WorldBatch {
   std::span<const Vec3> velocities() const;     ///< m/s, likewise
   /// Worlds × bodies; those of a world by the index of their ids. Valid until the next call.
   std::span<const BodyState> body_states() const;
+  /// m, worlds × vertices; those of a world in the order of World::cloth_ids.
+  std::span<const Vec3> cloth_positions() const;
+  std::span<const Vec3> cloth_velocities() const;  ///< m/s, likewise
   std::span<const uint64_t> state_hashes() const;  ///< by world: World::state_hash of it alone
-  /// Positions and velocities on the device. Does not wait for the device.
+  /// Positions and velocities on the device, also those of cloth. Does not wait for the device.
   BatchArrays device_arrays() const;
   /// A world of its own that continues with the same bits. It has the gravity of the world.
   World extract(uint32_t world) const;

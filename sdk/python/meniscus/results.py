@@ -164,10 +164,13 @@ class DeviceArrays(NamedTuple):
 
 
 class BatchArrays(NamedTuple):
-    """The particles of a WorldBatch in the memory of its device, worlds × particles × 3."""
+    """The particles of a WorldBatch in the memory of its device, worlds × particles × 3, and its cloth, worlds ×
+    vertices × 3."""
 
     positions: DeviceArray  # float32, m, local to each world
     velocities: DeviceArray  # float32, m/s
+    cloth_positions: DeviceArray | None  # float32, m; None without cloth
+    cloth_velocities: DeviceArray | None  # float32, m/s
 
 
 class BatchBodies(NamedTuple):

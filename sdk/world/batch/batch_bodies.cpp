@@ -145,6 +145,25 @@ bool are_alike(const collision::RigidWorld& a, const collision::RigidWorld& b) {
   return true;
 }
 
+/// Whether cloth has the same triangles, lengths at rest, masses, fabrics and held vertices.
+bool are_alike(const EngineCloth& a, const EngineCloth& b) {
+  const auto same = [](const auto& x, const auto& y, const auto& equal) {
+    return std::equal(x.begin(), x.end(), y.begin(), y.end(), equal);
+  };
+  const cloth::ClothModel &m = a.model, &n = b.model;
+  return m.held == n.held && m.rest == n.rest && m.constraints.masses == n.constraints.masses &&
+         same(a.position, b.position, [](const pbd::Vec4& x, const pbd::Vec4& y) { return x.w == y.w; }) &&
+         same(m.triangles, n.triangles,
+              [](const pbd::SurfaceTriangle& x, const pbd::SurfaceTriangle& y) {
+                return x.a == y.a && x.b == y.b && x.c == y.c && x.piece == y.piece;
+              }) &&
+         same(m.constraints.edges.items, n.constraints.edges.items,
+              [](const cloth::EdgeConstraint& x, const cloth::EdgeConstraint& y) {
+                return x.a == y.a && x.b == y.b && x.rest_length == y.rest_length &&
+                       x.compliance == y.compliance;
+              });
+}
+
 }  // namespace
 
 World WorldBatch::Impl::extract(uint32_t world) const {
@@ -167,6 +186,7 @@ World WorldBatch::Impl::extract(uint32_t world) const {
       to.events.clear();
     }
     to.engine->write_world(0, state);
+    if (vertices_each > 0) to.note_cloth_step(dt);
     if (placed[world]) to.engine->place_bodies();  // which notes what they overlap
     to.state_changed();
     to.time = status[world].time;
@@ -183,6 +203,9 @@ void WorldBatch::Impl::check_insert(World::Impl& state) const {
   expect_same("shapes", state.shapes.size(), own.shapes.size());
   expect_same("bodies", state.bodies.size(), own.bodies.size());
   expect_same("joints", state.joints.size(), own.joints.size());
+  expect_same("pieces of cloth", state.cloths.size(), own.cloths.size());
+  if (vertices_each > 0 && !are_alike(*state.uploaded_cloth, *own.uploaded_cloth))
+    refuse_insert("the world has other cloth, or holds other vertices");
   std::vector<uint32_t> fluids(each), others(each);
   own.engine->read_fluids(fluids);
   state.engine->read_fluids(others);

@@ -13,6 +13,7 @@
 
 #include "sdk/world/batch/batch_solids.h"
 #include "sdk/world/check/check.h"
+#include "sdk/world/state/hashed_elements.h"
 
 namespace meniscus {
 
@@ -67,9 +68,11 @@ WorldBatch::Impl::Impl(const World& archetype_world, const BatchDef& def)
 void WorldBatch::Impl::check_archetype() const {
   World::Impl& w = host();
   check_def(w.def);
-  const std::pair<const char*, size_t> refused[] = {
-      {"cloth", w.cloths.size()}, {"ropes", w.ropes.size()},   {"emitters", w.emitters.size()},
-      {"sinks", w.sinks.size()},  {"probes", w.probes.size()}, {"force fields", w.force_fields.size()}};
+  const std::pair<const char*, size_t> refused[] = {{"ropes", w.ropes.size()},
+                                                    {"emitters", w.emitters.size()},
+                                                    {"sinks", w.sinks.size()},
+                                                    {"probes", w.probes.size()},
+                                                    {"force fields", w.force_fields.size()}};
   for (const auto& [what, count] : refused) {
     if (count > 0) refuse(std::string(what) + " are not supported");
   }
@@ -77,9 +80,28 @@ void WorldBatch::Impl::check_archetype() const {
     if (m.grain.is_grain) refuse("granular materials are not supported");
     if (m.fluid.dynamic_viscosity > 0) refuse("FluidDef::dynamic_viscosity must be 0");
   });
-  if (each == 0) refuse("the archetype has no particles");
+  if (w.cloths.size() > 0) check_cloth();
+  if (each == 0 && w.cloths.size() == 0) refuse("the archetype has no particles and no cloth");
   if (w.engine->any_crowd())
     refuse("the archetype's add_particles() may have crowded particles; step it until they have parted");
+}
+
+/// Bodies that come fast at cloth would give all worlds more substeps.
+void WorldBatch::Impl::check_cloth() const {
+  const World::Impl& w = host();
+  if (w.bodies.size() > 0) refuse("worlds with cloth and bodies are not supported");
+  w.cloths.for_each([&](uint32_t, const ClothEntry& entry) {
+    const FabricDef& fabric = entry.def.fabric;
+    if (entry.track) refuse("driven cloth is not supported");
+    if (fabric.tear_strain > 0) refuse("FabricDef::tear_strain must be 0");
+    if (fabric.absorbency > 0) refuse("FabricDef::absorbency must be 0");
+    if (fabric.permittivity > 0) refuse("FabricDef::permittivity must be 0");
+  });
+  const size_t pieces = worlds * size_t{w.cloths.size()};
+  if (pieces > pbd::phase_group_mask)
+    throw Error(ErrorCode::capacity, "WorldBatch: the worlds have " + std::to_string(pieces) +
+                                         " pieces of cloth together; at most " +
+                                         std::to_string(pbd::phase_group_mask) + " fit");
 }
 
 /// The rigid worlds go by the definitions, in the order of the archetype's lists. So they have its bits.
@@ -97,7 +119,15 @@ void WorldBatch::Impl::make_worlds(const BatchDef& def) {
       return made;
     });
   }
-  engine().make_worlds(of_all_worlds(w.solid_shapes(), worlds, bodies_each));
+  VertexNumbers numbers;
+  w.cloths.for_each([&](uint32_t owner, const ClothEntry& entry) {
+    for (size_t v = 0; v < entry.range.count(); ++v)
+      numbers.push_back(element_number(HashedKind::cloth, owner, v));
+  });
+  vertices_each = static_cast<uint32_t>(numbers.size());
+  static const EngineCloth none;
+  engine().make_worlds(of_all_worlds(w.solid_shapes(), worlds, bodies_each),
+                       w.uploaded_cloth ? *w.uploaded_cloth : none, numbers);
 }
 
 void WorldBatch::Impl::check_mask(const char* call, std::span<const uint8_t> mask) const {
@@ -126,6 +156,12 @@ void WorldBatch::Impl::check_step(float length) const {
     check::refuse(
         "WorldBatch::step's dt", std::to_string(length),
         "that of the archetype's last step, whose substeps had " + std::to_string(w.last_substep) + " s");
+}
+
+void WorldBatch::Impl::changed() {
+  for (auto* readout : {&positions, &velocities, &vertex_positions, &vertex_velocities})
+    readout->valid = false;
+  hashes.valid = bodies.valid = false;
 }
 
 BatchReport WorldBatch::Impl::step(float length) {

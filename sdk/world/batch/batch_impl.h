@@ -35,6 +35,7 @@ struct WorldBatch::Impl {
   }
 
   void check_archetype() const;
+  void check_cloth() const;
   void make_worlds(const BatchDef& def);
   void check_mask(const char* call, std::span<const uint8_t> mask) const;
   void check_world(const char* call, uint32_t world) const;
@@ -58,13 +59,16 @@ struct WorldBatch::Impl {
   void note(const std::shared_ptr<BatchSnapshot::Data>& data);
   bool has(const std::shared_ptr<BatchSnapshot::Data>& data) const;
   void hash_worlds(std::span<uint64_t> out) const;
-  void changed() { positions.valid = velocities.valid = hashes.valid = bodies.valid = false; }
+  void changed();
+  /// Reads vertices once for all, if they were not read since the last change.
+  void read_vertices();
 
   World archetype, running;
   std::vector<BodyId> ids;  // of the bodies, in the user's archetype: a copy of it has others
   uint32_t worlds, each;
   uint32_t bodies_each = 0;  // with numbers that are not in use
-  float dt = 0;              // s, of all steps; 0: none yet
+  uint32_t vertices_each = 0;
+  float dt = 0;  // s, of all steps; 0: none yet
   std::vector<WorldStatus> status;
   std::vector<Vec3> gravities;
   std::vector<uint32_t> chosen, bad, placed;  // by world
@@ -72,6 +76,7 @@ struct WorldBatch::Impl {
   CachedReadout<Vec3> positions, velocities;
   CachedReadout<uint64_t> hashes;
   CachedReadout<BodyState> bodies;
+  CachedReadout<Vec3> vertex_positions, vertex_velocities;
   BatchArrays arrays;
   std::vector<std::weak_ptr<BatchSnapshot::Data>> snapshots;  // that may still exist
 };

@@ -37,7 +37,23 @@ BatchArrays WorldBatch::Impl::device_arrays() {
     make_room(*array, engine(), worlds, each);
   engine().write_vectors(static_cast<Vec3*>(arrays.positions.data),
                          static_cast<Vec3*>(arrays.velocities.data));
+  if (vertices_each == 0) return arrays;
+  for (DeviceArray* array : {&arrays.cloth_positions, &arrays.cloth_velocities})
+    make_room(*array, engine(), worlds, vertices_each);
+  engine().write_vertices(static_cast<Vec3*>(arrays.cloth_positions.data),
+                          static_cast<Vec3*>(arrays.cloth_velocities.data));
   return arrays;
+}
+
+void WorldBatch::Impl::read_vertices() {
+  if (vertex_positions.valid) return;
+  const size_t count = size_t{worlds} * vertices_each;
+  vertex_velocities.get(count, [&](std::span<Vec3> velocity_out) {
+    vertex_positions.get(count, [&](std::span<Vec3> out) {
+      engine().read_vertices(out, velocity_out);
+      for (Vec3& p : out) p = host().origin.outward(p);
+    });
+  });
 }
 
 // ---- the public calls ----
@@ -54,6 +70,9 @@ uint32_t WorldBatch::worlds() const {
 }
 std::size_t WorldBatch::particle_count() const {
   return impl_->each;
+}
+std::size_t WorldBatch::vertex_count() const {
+  return impl_->vertices_each;
 }
 const WorldDef& WorldBatch::def() const {
   return impl_->archetype.def();
@@ -127,6 +146,24 @@ std::span<const Vec3> WorldBatch::velocities() const {
                                      [&](std::span<Vec3> out) { impl_->engine().read_velocities(out); });
       },
       "velocities");
+}
+
+std::span<const Vec3> WorldBatch::cloth_positions() const {
+  return impl_->run(
+      [&] {
+        impl_->read_vertices();
+        return std::span<const Vec3>(*impl_->vertex_positions.values);
+      },
+      "cloth_positions");
+}
+
+std::span<const Vec3> WorldBatch::cloth_velocities() const {
+  return impl_->run(
+      [&] {
+        impl_->read_vertices();
+        return std::span<const Vec3>(*impl_->vertex_velocities.values);
+      },
+      "cloth_velocities");
 }
 
 std::span<const uint64_t> WorldBatch::state_hashes() const {

@@ -15,9 +15,12 @@ namespace meniscus {
 /// Each kind of element has numbers of its own, different from those of the particles.
 enum class HashedKind : uint64_t { cloth = 1, rope, body };
 
+inline uint64_t element_number(HashedKind kind, uint32_t owner, std::size_t part) {
+  return pbd::mixed(static_cast<uint64_t>(kind) << 32 | owner) + part;
+}
+
 inline uint64_t element_hash(HashedKind kind, uint32_t owner, std::size_t part, Vec3 a, Vec3 b) {
-  const uint64_t number = pbd::mixed(static_cast<uint64_t>(kind) << 32 | owner) + part;
-  return pbd::element_hash(number, a, b);
+  return pbd::element_hash(element_number(kind, owner, part), a, b);
 }
 
 /// The sum over all bodies, in the state of a rigid world.

@@ -23,7 +23,7 @@ struct MarkOverlaps {
 
   MENISCUS_HD void operator()(uint32_t i) const {
     const uint32_t places = tree.triangles.count;
-    pbd::for_each_overlap(tree, boxes[i], 0, 0, [&](uint32_t place) { ++marks[i * places + place]; });
+    pbd::for_each_overlap(tree, 0, boxes[i], 0, 0, [&](uint32_t place) { ++marks[i * places + place]; });
   }
 };
 
@@ -34,7 +34,7 @@ struct MarkOverlapsInWarps {
   MENISCUS_HD void operator()(uint32_t i) const {
     const uint32_t places = marked.tree.triangles.count;
     pbd::for_each_overlap_in_warp(
-        marked.tree, marked.boxes[i], [](uint32_t) { return true; },
+        marked.tree, 0, marked.boxes[i], [](uint32_t) { return true; },
         [&](uint32_t place) { ++marked.marks[i * places + place]; });
   }
 };

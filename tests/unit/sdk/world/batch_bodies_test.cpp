@@ -44,35 +44,13 @@ Pose at(Vec3 position) {
   return pose;
 }
 
-class BatchBodiesTest : public OnDevice {
+class BatchBodiesTest : public BatchOnDevice {
  protected:
-  WorldDef def() const { return batch_def(GetParam()); }
-  uint32_t many() const { return GetParam() == pbd::DeviceKind::cuda ? 1024 : 64; }
-  Pool of_kind(uint32_t kind) const {
+  World archetype(const WorldDef& def) const override { return pool(def).world; }
+  Pool pool_of_kind(uint32_t kind) const {
     WorldDef own = def();
     own.gravity = gravity_of(kind);
     return pool(own);
-  }
-  uint64_t alone(uint32_t kind, int steps) const {
-    Pool made = of_kind(kind);
-    run(made.world, steps, batch_dt);
-    return made.world.state_hash();
-  }
-  WorldBatch batch(uint32_t worlds, uint32_t first = 0, uint32_t stride = 1) const {
-    WorldBatch made(pool(def()).world, {worlds});
-    std::vector<Vec3> gravities;
-    for (uint32_t w = 0; w < worlds; ++w) gravities.push_back(gravity_of(first + stride * w));
-    made.set_gravities(gravities);
-    return made;
-  }
-  void expect_as_alone(uint32_t worlds, uint32_t first, uint32_t stride, int steps) const {
-    WorldBatch made = batch(worlds, first, stride);
-    run_batch(made, steps);
-    uint64_t expected[5];
-    for (uint32_t kind = 0; kind < 5; ++kind) expected[kind] = alone(kind, steps);
-    for (uint32_t w = 0; w < worlds; ++w)
-      EXPECT_EQ(made.state_hashes()[w], expected[(first + stride * w) % 5])
-          << "world " << w << " of " << worlds;
   }
 };
 
@@ -88,7 +66,7 @@ TEST_P(BatchBodiesTest, SoItIsAtAnyPlaceAmongMany) {
 TEST_P(BatchBodiesTest, StatesAreThoseOfAWorldAlone) {
   WorldBatch made = batch(3);
   run_batch(made, 20);
-  Pool own = of_kind(1);
+  Pool own = pool_of_kind(1);
   run(own.world, 20, batch_dt);
   const std::span<const BodyState> all = made.body_states();
   ASSERT_EQ(made.body_count(), 4u);
@@ -156,7 +134,7 @@ TEST_P(BatchBodiesTest, CallsActInOneWorld) {
   WorldBatch made(names.world, {4});
   made.set_gravities(std::vector<Vec3>{gravity_of(0), gravity_of(1), gravity_of(2), gravity_of(3)});
   run_batch(made, 5);
-  Pool own[4] = {of_kind(0), of_kind(1), of_kind(2), of_kind(3)};
+  Pool own[4] = {pool_of_kind(0), pool_of_kind(1), pool_of_kind(2), pool_of_kind(3)};
   for (Pool& one : own) run(one.world, 5, batch_dt);
   const Pose in_water = at({0.2f, 0.3f, 0.25f}), target = at({0.5f, 0.5f, 0.25f});
   made.set_body_pose(0, names.ball, in_water);

@@ -28,6 +28,42 @@ inline void run_batch(WorldBatch& batch, int steps) {
   for (int k = 0; k < steps; ++k) batch.step(batch_dt);
 }
 
+/// Tests of worlds that are alone and in batches, in five kinds of gravity.
+class BatchOnDevice : public OnDevice {
+ protected:
+  virtual World archetype(const WorldDef& def) const = 0;
+
+  WorldDef def() const { return batch_def(GetParam()); }
+  uint32_t many() const { return GetParam() == pbd::DeviceKind::cuda ? 1024 : 64; }
+  World of_kind(uint32_t kind) const {
+    WorldDef own = def();
+    own.gravity = gravity_of(kind);
+    return archetype(own);
+  }
+  uint64_t alone(uint32_t kind, int steps) const {
+    World world = of_kind(kind);
+    run(world, steps, batch_dt);
+    return world.state_hash();
+  }
+  /// World w is of kind `first` + w · `stride`.
+  WorldBatch batch(uint32_t worlds, uint32_t first = 0, uint32_t stride = 1) const {
+    WorldBatch made(archetype(def()), {worlds});
+    std::vector<Vec3> gravities;
+    for (uint32_t w = 0; w < worlds; ++w) gravities.push_back(gravity_of(first + stride * w));
+    made.set_gravities(gravities);
+    return made;
+  }
+  void expect_as_alone(uint32_t worlds, uint32_t first, uint32_t stride, int steps) const {
+    WorldBatch made = batch(worlds, first, stride);
+    run_batch(made, steps);
+    uint64_t expected[5];
+    for (uint32_t kind = 0; kind < 5; ++kind) expected[kind] = alone(kind, steps);
+    for (uint32_t w = 0; w < worlds; ++w)
+      EXPECT_EQ(made.state_hashes()[w], expected[(first + stride * w) % 5])
+          << "world " << w << " of " << worlds;
+  }
+};
+
 /// A mask of so many worlds with these in it.
 inline std::vector<uint8_t> mask_of(uint32_t worlds, std::initializer_list<uint32_t> chosen) {
   std::vector<uint8_t> mask(worlds, 0);
