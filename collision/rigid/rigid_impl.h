@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <memory>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "collision/mesh/bullet_memory.h"
@@ -50,13 +51,13 @@ struct RigidBodyRecord {
   Pose from, to;                             ///< kinematic bodies: poses at both ends of the present step
   Vec3 push{0, 0, 0}, push_torque{0, 0, 0};  ///< N and N·m, of particles in the present step, if sprung
                                              ///< or on a device
-  std::vector<ContactPart> contact_parts;    ///< on a device, in the geometry's frame
+  ContactSolid contact;                      ///< on a device, in the geometry's frame
 };
 
 struct RigidFixedRecord {
   RigidShape shape;
   std::unique_ptr<btRigidBody> bullet;
-  std::vector<ContactPart> contact_parts;  ///< on a device, in the geometry's frame
+  ContactSolid contact;  ///< on a device, in the geometry's frame
 };
 
 struct RigidJointRecord {
@@ -66,6 +67,12 @@ struct RigidJointRecord {
   float motor_torque = 0;  ///< N·m, of the hinge
   JointPlaces places{};    ///< from which its frames follow
   bool has_motor = false;
+};
+
+/// What was made of a mesh, as long as a solid uses it.
+struct HullOfMesh {
+  std::weak_ptr<const TriangleMesh> mesh;
+  std::weak_ptr<const ContactHull> hull;
 };
 
 /// Objects by number. A free number is used again, the lowest first.
@@ -123,7 +130,8 @@ struct RigidWorld::Impl {
   std::vector<uint64_t> touching_keys;
   std::vector<RigidTouch> touches;
   bool knows_touches = false;
-  RigidContacts* contacts = nullptr;         ///< on a device
+  RigidContacts* contacts = nullptr;  ///< on a device
+  std::unordered_map<const TriangleMesh*, HullOfMesh> hulls;
   bool parts_changed = true;                 ///< since `contacts` got them
   bool boxes_changed = false;                ///< since Bullet's broad phase got them
   std::vector<SavedContact> resting_starts;  ///< contacts of sleeping bodies, which a device need not see
@@ -171,6 +179,10 @@ struct RigidWorld::Impl {
   void apply_forces(float dt);
   void limit_motors(float dt);
 
+  std::shared_ptr<const ContactHull> hull_of(const std::shared_ptr<const TriangleMesh>& mesh);
+  /// For a device, in the geometry's frame; otherwise nothing. Throws Error(invalid_argument) for parts that
+  /// it has no contacts of.
+  ContactSolid contact_solid(const RigidSolid& solid);
   void update_parts();
   void update_boxes();
   int small_steps() const;
@@ -217,9 +229,6 @@ btVector3 tumbled(const btRigidBody& body, const btVector3& angular, float dt);
 /// under. It is predicted with these forces, so that it bears particles as it did when it was awake.
 RigidMotion asleep(const btRigidBody& body, const RigidMemory& memory, float dt);
 
-/// For a device, in the geometry's frame. Throws Error(invalid_argument) for parts that it has no contacts
-/// of.
-std::vector<ContactPart> contact_parts(const RigidSolid& solid);
 /// The solid of a part with this key.
 RigidRef solid_of_key(uint64_t key);
 /// By what fraction a body gives way to its usual push among solids.

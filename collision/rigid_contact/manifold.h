@@ -12,12 +12,14 @@
 
 namespace meniscus::collision {
 
-enum class ConvexKind : uint32_t { box, sphere, capsule, plane };
+enum class ConvexKind : uint32_t { box, sphere, capsule, plane, hull };
 
 /// A convex part. A plane bounds a half-space, with the y axis of its frame as the normal.
 struct Convex {
   ConvexKind kind;
-  Vec3 size;  ///< m: half extents of a box; round parts: radius, half height along y
+  Vec3 size;  ///< m: half extents of a box, or of that around a hull; round parts: radius, half height
+  uint32_t hull = 0;  ///< its number (hull.h)
+  float radius = 0;   ///< m, of the ball around a hull
 };
 
 inline constexpr uint32_t most_manifold_points = 4;
@@ -48,6 +50,10 @@ MENISCUS_HD inline Vec3 unit_axis(int axis) {
   return {axis == 0 ? 1.0f : 0.0f, axis == 1 ? 1.0f : 0.0f, axis == 2 ? 1.0f : 0.0f};
 }
 
+MENISCUS_HD inline float least_component(Vec3 v) {
+  return pbd::min(v.x, pbd::min(v.y, v.z));
+}
+
 /// m: of the ball around the part's origin. Planes have none.
 MENISCUS_HD inline float bounding_radius(const Convex& part) {
   switch (part.kind) {
@@ -55,6 +61,8 @@ MENISCUS_HD inline float bounding_radius(const Convex& part) {
       return length(part.size);
     case ConvexKind::capsule:
       return part.size.x + part.size.y;
+    case ConvexKind::hull:
+      return part.radius;
     default:
       return part.size.x;
   }

@@ -50,7 +50,7 @@ struct CellGrid {
 /// Half extents of the box around a part.
 MENISCUS_HD inline Vec3 extents_of(const Convex& shape, Quat turn) {
   if (shape.kind == ConvexKind::plane) return {1e30f, 1e30f, 1e30f};
-  if (shape.kind == ConvexKind::box) {
+  if (shape.kind == ConvexKind::box || shape.kind == ConvexKind::hull) {
     return shape.size.x * abs(rotate(turn, {1, 0, 0})) + shape.size.y * abs(rotate(turn, {0, 1, 0})) +
            shape.size.z * abs(rotate(turn, {0, 0, 1}));
   }

@@ -34,9 +34,10 @@ inline float largest_small_radius(std::span<const ContactPart> parts) {
 }
 
 template <class D>
-void RigidContactSet<D>::set_parts(std::span<const ContactPart> parts) {
+void RigidContactSet<D>::set_parts(const ContactSolid& all) {
   const std::vector<SavedContact> kept = save();
-  host_parts_.assign(parts.begin(), parts.end());
+  const std::vector<ContactPart>& parts = all.parts;
+  host_parts_ = parts;
   const uint32_t count = part_count();
   const float small = largest_small_radius(parts);
   std::vector<uint32_t> is_large(count), large;
@@ -52,7 +53,9 @@ void RigidContactSet<D>::set_parts(std::span<const ContactPart> parts) {
            static_cast<uint32_t>(std::bit_width(std::max(2 * count, 8u)))};
   device_.wait();
   parts_.resize_discard(count);
+  for (ContactPart& part : host_parts_) part.shape.hull = HullBuffers::number_of(part.shape);
   parts_.write(host_parts_);
+  hulls_.set(all.hulls);
   is_large_.resize_discard(count);
   is_large_.write(is_large);
   large_.resize_discard(large.size());

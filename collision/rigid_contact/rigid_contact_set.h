@@ -6,6 +6,7 @@
 
 #include <memory>
 
+#include "collision/rigid_contact/hull_buffers.h"
 #include "collision/rigid_contact/solve_kernels.h"
 #include "pbd/device/buffer.h"
 #include "pbd/device/shared_buffer.h"
@@ -28,7 +29,7 @@ class RigidContactSet final : public RigidContacts {
  public:
   explicit RigidContactSet(D& device) : device_(device) {}
 
-  void set_parts(std::span<const ContactPart> parts) override;
+  void set_parts(const ContactSolid& all) override;
   void find(std::span<const ContactBody> bodies, float dt) override;
   std::vector<ContactBodies> found() override;
   void advance(std::span<const ContactBody> bodies, const ContactStep& step,
@@ -62,6 +63,7 @@ class RigidContactSet final : public RigidContacts {
   std::vector<uint32_t> colour_starts_;
 
   pbd::Buffer<ContactPart> parts_{device_, "solid parts"};
+  HullBuffers hulls_{device_};
   pbd::Buffer<uint32_t> is_large_{device_, "large parts"}, large_{device_, "large parts"};
   pbd::SharedBuffer<ContactBody> start_{device_, "bodies of contacts"};
   pbd::SharedBuffer<ContactMotion> motion_{device_, "bodies of contacts"};

@@ -94,9 +94,11 @@ void RigidContactSet<D>::find_contacts() {
     contact_start_.fill(0);
     return;
   }
-  device_.parallel_for("solids/touch", pair_count_,
-                       TouchPairs{search(), pairs_.view(), memory_.view(), memory_start_.view(),
-                                  found_.view(), touches_.view()});
+  const PairContacts contacts{search(),      pairs_.view(),  memory_.view(), memory_start_.view(),
+                              found_.view(), touches_.view()};
+  device_.parallel_for("solids/touch", pair_count_, TouchPairs{contacts});
+  if (hulls_.any())
+    device_.parallel_for("solids/touch hulls", pair_count_, TouchHullPairs{contacts, hulls_.table()});
   device_.exclusive_scan("solids/contact places", touches_.view().first(pair_count_),
                          place_.view().first(pair_count_ + 1));
   place_.read(std::span(&contact_count_, 1), pair_count_);

@@ -5,10 +5,11 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
-#include "collision/rigid_contact/manifold.h"
+#include "collision/rigid_contact/hull.h"
 #include "pbd/contacts.h"
 
 namespace meniscus::collision {
@@ -21,6 +22,12 @@ struct ContactPart {
   float friction = 0, restitution = 0;  ///< square roots: two solids have the products
   uint32_t groups = 0, mask = 0;
   uint64_t key = 0;  ///< the same as long as the solid lives
+};
+
+/// The parts of a solid, with their hulls: part.shape.hull is a place there.
+struct ContactSolid {
+  std::vector<ContactPart> parts;
+  std::vector<std::shared_ptr<const ContactHull>> hulls;
 };
 
 /// A body at the start of a step.
@@ -73,7 +80,7 @@ class RigidContacts {
   virtual ~RigidContacts() = default;
 
   /// Replaces all parts. Contacts of parts that stay keep what they start from.
-  virtual void set_parts(std::span<const ContactPart> parts) = 0;
+  virtual void set_parts(const ContactSolid& all) = 0;
   /// Finds the contacts of a step that may last dt (s). Velocities and accelerations say how far ahead.
   virtual void find(std::span<const ContactBody> bodies, float dt) = 0;
   /// Those that find() has found, by contact. Bodies that contacts do not move have none with one another.

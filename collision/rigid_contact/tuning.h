@@ -16,6 +16,19 @@ inline constexpr float parallel = 1e-3f;
 /// Test: RigidManifold.FlatBoxesTouchAtFourCorners.
 inline constexpr float face_preference = 0.02f;
 
+/// Of the radius of a hull: triangles whose corners lie so near a common plane are one face. Points of a file
+/// with five digits do. Test: RigidHull.ARoundedBoxHasSixFaces.
+inline constexpr float hull_flatness = 2e-4f;
+
+/// Of the least half extent: corners that lie so much higher than the lowest one count as level. Which four
+/// of them a contact keeps then does not change while a hull trembles by rounding. Test:
+/// RigidHull.APrismOf16SidesRests.
+inline constexpr float level = 1e-3f;
+
+/// Cosine of the angle below which two normals count as one.
+/// Test: RigidHull.ACapsuleLiesOnAFaceAtTwoPoints.
+inline constexpr float same_normal = 0.999f;
+
 /// Of the radius: how far apart resting parts still have a contact. It keeps what they start from.
 /// Test: none.
 inline constexpr float margin = 0.02f;
