@@ -13,9 +13,8 @@ namespace meniscus::collision {
 namespace {
 
 [[noreturn]] void refuse_part(const char* what) {
-  throw Error(ErrorCode::invalid_argument,
-              std::string("RigidSolverDef::solver is device, which has no ") + what +
-                  " among solids, only boxes, spheres, capsules, planes and hulls; bullet has all");
+  throw Error(ErrorCode::invalid_argument, std::string("RigidSolverDef::solver is device, which has no ") +
+                                               what + " among solids; bullet has them");
 }
 
 /// The shortest rotation that takes the y axis to a unit normal.
@@ -42,15 +41,15 @@ ContactPart contact_part(const RigidPart& part) {
       made.shape = {ConvexKind::plane, {0, 0, 0}};
       made.pose = part.pose * Pose{part.offset * part.size, turn_up_to(part.size)};
       return made;
-    case RigidPart::Kind::cylinder:
-      refuse_part("cylinders");
-    case RigidPart::Kind::height_field:
-      refuse_part("height fields");
     case RigidPart::Kind::hull:
     case RigidPart::Kind::mesh:
+    case RigidPart::Kind::height_field:
+      assert(false);  // they have tables
+      break;
+    case RigidPart::Kind::cylinder:
       break;
   }
-  refuse_part("meshes");
+  refuse_part("cylinders");
 }
 
 void add_hull(ContactSolid& solid, const RigidPart& part, std::shared_ptr<const ContactHull> hull) {
@@ -61,7 +60,35 @@ void add_hull(ContactSolid& solid, const RigidPart& part, std::shared_ptr<const 
   solid.parts.push_back(made);
 }
 
-/// Lists the parts of all solids, and each hull once.
+void add_ground(ContactSolid& solid, const RigidPart& part, std::shared_ptr<const ContactGround> ground) {
+  ContactPart made;
+  made.pose = part.pose * Pose{ground->centre, {0, 0, 0, 1}};
+  made.shape = {ConvexKind::ground, ground->half, static_cast<uint32_t>(solid.grounds.size())};
+  solid.grounds.push_back(std::move(ground));
+  solid.parts.push_back(made);
+}
+
+/// The surface of a height field. It has no sides and no bottom.
+TriangleMesh surface_of(const HeightFieldGeometry& g) {
+  TriangleMesh mesh;
+  const auto columns = static_cast<uint32_t>(g.columns), rows = static_cast<uint32_t>(g.rows);
+  const auto at = [&](uint32_t n, uint32_t count) {
+    return g.cell_size * (static_cast<float>(n) - 0.5f * static_cast<float>(count - 1));
+  };
+  for (uint32_t j = 0; j < rows; ++j)
+    for (uint32_t i = 0; i < columns; ++i)
+      mesh.vertices.push_back({at(i, columns), g.heights[j * columns + i], at(j, rows)});
+  for (uint32_t j = 0; j + 1 < rows; ++j) {
+    for (uint32_t i = 0; i + 1 < columns; ++i) {
+      const uint32_t a = j * columns + i, b = a + columns, c = a + 1;
+      mesh.triangles.push_back({a, b, c});
+      mesh.triangles.push_back({c, b, b + 1});
+    }
+  }
+  return mesh;
+}
+
+/// Lists the parts of all solids, and each hull and ground once.
 class PartList {
  public:
   /// With the surface, filter and pose of today.
@@ -76,21 +103,25 @@ class PartList {
       part.groups = static_cast<uint32_t>(bullet.getBroadphaseHandle()->m_collisionFilterGroup);
       part.mask = static_cast<uint32_t>(bullet.getBroadphaseHandle()->m_collisionFilterMask);
       part.key = solid << 16 | k;
-      if (part.shape.kind == ConvexKind::hull) part.shape.hull = number_of(own.hulls[part.shape.hull]);
+      if (part.shape.kind == ConvexKind::hull)
+        part.shape.table = number_of(own.hulls[part.shape.table], all_.hulls);
+      if (part.shape.kind == ConvexKind::ground)
+        part.shape.table = number_of(own.grounds[part.shape.table], all_.grounds);
       all_.parts.push_back(part);
     }
   }
   const ContactSolid& all() const { return all_; }
 
  private:
-  uint32_t number_of(const std::shared_ptr<const ContactHull>& hull) {
-    const auto [at, is_new] = numbers_.emplace(hull.get(), static_cast<uint32_t>(all_.hulls.size()));
-    if (is_new) all_.hulls.push_back(hull);
+  template <class T>
+  uint32_t number_of(const std::shared_ptr<const T>& table, std::vector<std::shared_ptr<const T>>& all) {
+    const auto [at, is_new] = numbers_.emplace(table.get(), static_cast<uint32_t>(all.size()));
+    if (is_new) all.push_back(table);
     return at->second;
   }
 
   ContactSolid all_;
-  std::unordered_map<const ContactHull*, uint32_t> numbers_;
+  std::unordered_map<const void*, uint32_t> numbers_;
 };
 
 constexpr uint64_t fixed_key = uint64_t{1} << 32;  // of fixed solids, whose keys come after those of bodies
@@ -101,25 +132,19 @@ RigidRef solid_of_key(uint64_t key) {
   return {(key >> 16 & fixed_key) == 0, static_cast<uint32_t>(key >> 16)};
 }
 
-/// Solids that share a mesh share its hull.
-std::shared_ptr<const ContactHull> RigidWorld::Impl::hull_of(
-    const std::shared_ptr<const TriangleMesh>& mesh) {
-  HullOfMesh& known = hulls[mesh.get()];
-  std::shared_ptr<const ContactHull> hull = known.hull.lock();
-  // Another mesh may have had this address.
-  if (hull && known.mesh.lock() == mesh) return hull;
-  hull = std::make_shared<const ContactHull>(make_contact_hull(mesh->vertices));
-  known = {mesh, hull};
-  return hull;
-}
-
 ContactSolid RigidWorld::Impl::contact_solid(const RigidSolid& solid) {
   if (!def.on_device) return {};
   if (solid.parts.size() > 1u << 16) refuse_part("solids of more than 65536 parts");
   ContactSolid made;
   for (const RigidPart& part : solid.parts) {
     if (part.kind == RigidPart::Kind::hull)
-      add_hull(made, part, hull_of(part.mesh));
+      add_hull(made, part,
+               hulls.of(part.mesh, [](const TriangleMesh& m) { return make_contact_hull(m.vertices); }));
+    else if (part.kind == RigidPart::Kind::mesh)
+      add_ground(made, part, grounds.of(part.mesh, make_contact_ground));
+    else if (part.kind == RigidPart::Kind::height_field)
+      add_ground(made, part,
+                 std::make_shared<const ContactGround>(make_contact_ground(surface_of(part.heights))));
     else
       made.parts.push_back(contact_part(part));
   }

@@ -69,10 +69,25 @@ struct RigidJointRecord {
   bool has_motor = false;
 };
 
-/// What was made of a mesh, as long as a solid uses it.
-struct HullOfMesh {
-  std::weak_ptr<const TriangleMesh> mesh;
-  std::weak_ptr<const ContactHull> hull;
+/// What was made of meshes, as long as a solid uses it.
+template <class T>
+struct TablesOfMeshes {
+  struct Entry {
+    std::weak_ptr<const TriangleMesh> mesh;
+    std::weak_ptr<const T> table;
+  };
+  std::unordered_map<const TriangleMesh*, Entry> entries;
+
+  template <class Make>
+  std::shared_ptr<const T> of(const std::shared_ptr<const TriangleMesh>& mesh, const Make& make) {
+    Entry& known = entries[mesh.get()];
+    std::shared_ptr<const T> table = known.table.lock();
+    // Another mesh may have had this address.
+    if (table && known.mesh.lock() == mesh) return table;
+    table = std::make_shared<const T>(make(*mesh));
+    known = {mesh, table};
+    return table;
+  }
 };
 
 /// Objects by number. A free number is used again, the lowest first.
@@ -130,8 +145,9 @@ struct RigidWorld::Impl {
   std::vector<uint64_t> touching_keys;
   std::vector<RigidTouch> touches;
   bool knows_touches = false;
-  RigidContacts* contacts = nullptr;  ///< on a device
-  std::unordered_map<const TriangleMesh*, HullOfMesh> hulls;
+  RigidContacts* contacts = nullptr;         ///< on a device
+  TablesOfMeshes<ContactHull> hulls;         ///< solids that share a mesh share its hull
+  TablesOfMeshes<ContactGround> grounds;     ///< likewise
   bool parts_changed = true;                 ///< since `contacts` got them
   bool boxes_changed = false;                ///< since Bullet's broad phase got them
   std::vector<SavedContact> resting_starts;  ///< contacts of sleeping bodies, which a device need not see
@@ -179,7 +195,6 @@ struct RigidWorld::Impl {
   void apply_forces(float dt);
   void limit_motors(float dt);
 
-  std::shared_ptr<const ContactHull> hull_of(const std::shared_ptr<const TriangleMesh>& mesh);
   /// For a device, in the geometry's frame; otherwise nothing. Throws Error(invalid_argument) for parts that
   /// it has no contacts of.
   ContactSolid contact_solid(const RigidSolid& solid);

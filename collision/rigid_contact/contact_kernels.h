@@ -53,6 +53,11 @@ struct PairContacts {
     FoundContact c{pair.a, pair.b, {}, {}, {}};
     c.manifold = touch(placed[a].pose, parts[a].shape, placed[b].pose, parts[b].shape, search.reach_of(a, b));
     if (turned) c.manifold.normal = -c.manifold.normal;
+    store(k, c);
+  }
+
+  /// Stores the contact of a pair, with what it starts from.
+  MENISCUS_HD void store(uint32_t k, FoundContact c) const {
     remember(c);
     found[k] = c;
     touches[k] = c.manifold.count > 0;
@@ -77,7 +82,7 @@ struct TouchPairs {
   PairContacts contacts;
 
   MENISCUS_HD void operator()(uint32_t k) const {
-    if (contacts.has(k, ConvexKind::hull)) return;
+    if (contacts.has(k, ConvexKind::hull) || contacts.has(k, ConvexKind::ground)) return;
     contacts.find(k, [](const Pose& a, const Convex& of_a, const Pose& b, const Convex& of_b, float reach) {
       return touch(a, of_a, b, of_b, reach);
     });
@@ -90,7 +95,7 @@ struct TouchHullPairs {
   HullTable hulls;
 
   MENISCUS_HD void operator()(uint32_t k) const {
-    if (!contacts.has(k, ConvexKind::hull)) return;
+    if (!contacts.has(k, ConvexKind::hull) || contacts.has(k, ConvexKind::ground)) return;
     contacts.find(k, [this](const Pose& a, const Convex& of_a, const Pose& b, const Convex& of_b,
                             float reach) { return touch_hull(hulls, a, of_a, b, of_b, reach); });
   }

@@ -94,7 +94,7 @@ struct HullTable {
 
   /// Of a hull or a box.
   MENISCUS_HD Polytope of(const Convex& part) const {
-    const HullRange r = hulls[part.hull];
+    const HullRange r = hulls[part.table];
     return {{vertices.data + r.first_vertex, r.vertices},
             {faces.data + r.first_face, r.faces},
             {corners.data + r.first_corner, r.corners},

@@ -31,7 +31,7 @@ void upload(pbd::Buffer<T>& buffer, const std::vector<T>& all) {
 
 }  // namespace
 
-void HullBuffers::set(std::span<const std::shared_ptr<const ContactHull>> hulls) {
+void HullBuffers::set(std::span<const std::shared_ptr<const ContactHull>> hulls, bool with_cube) {
   std::vector<HullRange> ranges;
   ContactHull all;
   const auto add = [&](const ContactHull& hull) {
@@ -42,7 +42,7 @@ void HullBuffers::set(std::span<const std::shared_ptr<const ContactHull>> hulls)
     append(all.edges, hull.edges, r.first_edge, r.edges);
     ranges.push_back(r);
   };
-  if (!hulls.empty()) add(unit_cube());
+  if (with_cube || !hulls.empty()) add(unit_cube());
   for (const auto& hull : hulls) add(*hull);
   upload(ranges_, ranges);
   upload(vertices_, all.vertices);

@@ -18,15 +18,16 @@ class HullBuffers {
         corners_(device, "solid hulls"),
         edges_(device, "solid hulls") {}
 
-  /// Replaces all hulls. The device must not be reading them.
-  void set(std::span<const std::shared_ptr<const ContactHull>> hulls);
+  /// Replaces all hulls. The device must not be reading them. The cube is there if there are others, or if it
+  /// is asked for.
+  void set(std::span<const std::shared_ptr<const ContactHull>> hulls, bool with_cube = false);
   bool any() const { return ranges_.size() > 1; }
   HullTable table() const {
     return {ranges_.view(), vertices_.view(), faces_.view(), corners_.view(), edges_.view()};
   }
   /// A part's place in table(), from that in the list of hulls.
   static uint32_t number_of(const Convex& shape) {
-    return shape.kind == ConvexKind::hull ? shape.hull + 1 : 0;
+    return shape.kind == ConvexKind::hull ? shape.table + 1 : 0;
   }
 
  private:

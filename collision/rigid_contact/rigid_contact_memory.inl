@@ -22,7 +22,7 @@ void make_room(pbd::Buffer<T>& buffer, uint32_t count) {
 inline float largest_small_radius(std::span<const ContactPart> parts) {
   std::vector<float> radii;
   for (const ContactPart& p : parts)
-    if (p.shape.kind != ConvexKind::plane) radii.push_back(bounding_radius(p.shape));
+    if (!is_unbounded(p.shape)) radii.push_back(bounding_radius(p.shape));
   if (radii.empty()) return 1;
   const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
   std::ranges::nth_element(radii, middle);
@@ -44,7 +44,7 @@ void RigidContactSet<D>::set_parts(const ContactSolid& all) {
   any_bounces_ = false;
   for (uint32_t i = 0; i < count; ++i) {
     const Convex& shape = parts[i].shape;
-    is_large[i] = shape.kind == ConvexKind::plane || bounding_radius(shape) > small;
+    is_large[i] = is_unbounded(shape) || bounding_radius(shape) > small;
     if (is_large[i]) large.push_back(i);
     any_bounces_ |= parts[i].restitution > 0;
   }
@@ -53,9 +53,11 @@ void RigidContactSet<D>::set_parts(const ContactSolid& all) {
            static_cast<uint32_t>(std::bit_width(std::max(2 * count, 8u)))};
   device_.wait();
   parts_.resize_discard(count);
-  for (ContactPart& part : host_parts_) part.shape.hull = HullBuffers::number_of(part.shape);
+  for (ContactPart& part : host_parts_)
+    if (part.shape.kind != ConvexKind::ground) part.shape.table = HullBuffers::number_of(part.shape);
   parts_.write(host_parts_);
-  hulls_.set(all.hulls);
+  hulls_.set(all.hulls, !all.grounds.empty());
+  grounds_.set(all.grounds);
   is_large_.resize_discard(count);
   is_large_.write(is_large);
   large_.resize_discard(large.size());
@@ -99,9 +101,10 @@ void RigidContactSet<D>::restore(std::span<const SavedContact> saved) {
     const auto a = place.find(s.key_a), b = place.find(s.key_b);
     if (a == place.end() || b == place.end()) continue;
     std::vector<ContactMemory>& all = of_part[a->second];
-    if (all.empty() || all.back().b != b->second) all.push_back({b->second, 0, {}, {}, {}});
+    // A ground has several manifolds with a part.
+    if (all.empty() || all.back().b != b->second || all.back().count == most_manifold_points)
+      all.push_back({b->second, 0, {}, {}, {}});
     ContactMemory& m = all.back();
-    if (m.count == most_manifold_points) continue;
     m.feature[m.count] = s.feature;
     m.pressure[m.count] = s.pressure;
     m.friction[m.count++] = s.friction;

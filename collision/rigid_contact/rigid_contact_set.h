@@ -6,6 +6,7 @@
 
 #include <memory>
 
+#include "collision/rigid_contact/ground_buffers.h"
 #include "collision/rigid_contact/hull_buffers.h"
 #include "collision/rigid_contact/solve_kernels.h"
 #include "pbd/device/buffer.h"
@@ -64,6 +65,7 @@ class RigidContactSet final : public RigidContacts {
 
   pbd::Buffer<ContactPart> parts_{device_, "solid parts"};
   HullBuffers hulls_{device_};
+  GroundBuffers grounds_{device_};
   pbd::Buffer<uint32_t> is_large_{device_, "large parts"}, large_{device_, "large parts"};
   pbd::SharedBuffer<ContactBody> start_{device_, "bodies of contacts"};
   pbd::SharedBuffer<ContactMotion> motion_{device_, "bodies of contacts"};

@@ -8,6 +8,7 @@
 #include <bit>
 #include <cmath>
 
+#include "collision/rigid_contact/ground_kernels.h"
 #include "collision/rigid_contact/rigid_contact_memory.inl"
 #include "collision/rigid_contact/rigid_contact_set.h"
 
@@ -99,6 +100,9 @@ void RigidContactSet<D>::find_contacts() {
   device_.parallel_for("solids/touch", pair_count_, TouchPairs{contacts});
   if (hulls_.any())
     device_.parallel_for("solids/touch hulls", pair_count_, TouchHullPairs{contacts, hulls_.table()});
+  if (grounds_.any())
+    device_.parallel_for("solids/touch grounds", pair_count_,
+                         TouchGroundPairs{contacts, hulls_.table(), grounds_.table()});
   device_.exclusive_scan("solids/contact places", touches_.view().first(pair_count_),
                          place_.view().first(pair_count_ + 1));
   place_.read(std::span(&contact_count_, 1), pair_count_);

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "collision/rigid_contact/ground.h"
 #include "collision/rigid_contact/hull.h"
 #include "pbd/contacts.h"
 
@@ -24,10 +25,11 @@ struct ContactPart {
   uint64_t key = 0;  ///< the same as long as the solid lives
 };
 
-/// The parts of a solid, with their hulls: part.shape.hull is a place there.
+/// The parts of a solid, with their hulls and grounds: part.shape.table is a place there.
 struct ContactSolid {
   std::vector<ContactPart> parts;
   std::vector<std::shared_ptr<const ContactHull>> hulls;
+  std::vector<std::shared_ptr<const ContactGround>> grounds;
 };
 
 /// A body at the start of a step.

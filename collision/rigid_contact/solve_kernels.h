@@ -110,8 +110,8 @@ struct Prepare {
     return a > 0 && b > 0 ? pbd::max(a, b) / pbd::min(a, b) : 1;
   }
   MENISCUS_HD static float least_radius(const ContactPart& a, const ContactPart& b) {
-    if (a.shape.kind == ConvexKind::plane) return bounding_radius(b.shape);
-    if (b.shape.kind == ConvexKind::plane) return bounding_radius(a.shape);
+    if (is_unbounded(a.shape)) return bounding_radius(b.shape);
+    if (is_unbounded(b.shape)) return bounding_radius(a.shape);
     return pbd::min(bounding_radius(a.shape), bounding_radius(b.shape));
   }
 };

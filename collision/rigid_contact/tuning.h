@@ -29,6 +29,11 @@ inline constexpr float level = 1e-3f;
 /// Test: RigidHull.ACapsuleLiesOnAFaceAtTwoPoints.
 inline constexpr float same_normal = 0.999f;
 
+/// Sine of the angle by which a part may extend into a ground from one of its vertices that touches there.
+/// Vertices of a face that is level to so much touch together.
+/// Test: RigidGround.APlankLiesFlushOnABlock.
+inline constexpr float facing = 0.1f;
+
 /// Of the radius: how far apart resting parts still have a contact. It keeps what they start from.
 /// Test: none.
 inline constexpr float margin = 0.02f;

@@ -58,7 +58,7 @@ struct Hulls {
     for (const auto& own : points) {
       const auto hull = std::make_shared<const ContactHull>(make_contact_hull(own));
       Convex part{ConvexKind::hull, hull->half, static_cast<uint32_t>(hulls.size()), hull->radius};
-      part.hull = HullBuffers::number_of(part);
+      part.table = HullBuffers::number_of(part);
       parts.push_back(part);
       hulls.push_back(hull);
     }
