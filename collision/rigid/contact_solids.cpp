@@ -4,6 +4,7 @@
 // The parts of solids whose contacts a device solves (collision/rigid_contact/).
 #include <meniscus/error.h>
 
+#include <algorithm>
 #include <cassert>
 
 #include "collision/rigid/rigid_impl.h"
@@ -151,9 +152,29 @@ ContactSolid RigidWorld::Impl::contact_solid(const RigidSolid& solid) {
   return made;
 }
 
+bool RigidWorld::Impl::is_removed(const RigidRef& solid) const {
+  return std::ranges::any_of(removed, [&](const RigidRef& other) {
+    return other.is_body == solid.is_body && other.number == solid.number;
+  });
+}
+
+/// Another solid may have the number of one that was removed.
+void RigidWorld::Impl::drop_contacts_of_removed() {
+  if (removed.empty()) return;
+  const auto is_stale = [&](const SavedContact& c) {
+    return is_removed(solid_of_key(c.key_a)) || is_removed(solid_of_key(c.key_b));
+  };
+  std::vector<SavedContact> kept = contacts->save();
+  std::erase_if(kept, is_stale);
+  contacts->restore(kept);
+  std::erase_if(resting, is_stale);
+  removed.clear();
+}
+
 void RigidWorld::Impl::update_parts() {
   assert(contacts);
   if (!parts_changed) return;
+  drop_contacts_of_removed();
   PartList list;
   for (uint32_t n = 0; n < bodies.slots.size(); ++n) {
     if (!bodies.has(n)) continue;

@@ -167,13 +167,13 @@ void RigidWorld::Impl::update_boxes() {
 std::vector<RigidContact> RigidWorld::Impl::contacts_on_device() const {
   std::vector<RigidContact> all;
   if (!contacts) return all;
-  const auto add = [&](const SolvedContact& c) {
-    const float half = 0.5f * c.distance;
-    all.push_back({solid_of_key(c.key_a), solid_of_key(c.key_b), c.position - half * c.normal, c.normal,
-                   c.distance, c.impulse});
+  const auto add = [&](const SavedContact& c) {
+    const RigidRef a = solid_of_key(c.key_a), b = solid_of_key(c.key_b);
+    if (is_removed(a) || is_removed(b)) return;
+    all.push_back({a, b, c.position - 0.5f * c.distance * c.normal, c.normal, c.distance, c.impulse});
   };
-  std::ranges::for_each(contacts->solved(), add);
-  std::ranges::for_each(resting_contacts, add);
+  std::ranges::for_each(contacts->save(), add);
+  std::ranges::for_each(resting, add);
   return all;
 }
 

@@ -145,13 +145,13 @@ struct RigidWorld::Impl {
   std::vector<uint64_t> touching_keys;
   std::vector<RigidTouch> touches;
   bool knows_touches = false;
-  RigidContacts* contacts = nullptr;         ///< on a device
-  TablesOfMeshes<ContactHull> hulls;         ///< solids that share a mesh share its hull
-  TablesOfMeshes<ContactGround> grounds;     ///< likewise
-  bool parts_changed = true;                 ///< since `contacts` got them
-  bool boxes_changed = false;                ///< since Bullet's broad phase got them
-  std::vector<SavedContact> resting_starts;  ///< contacts of sleeping bodies, which a device need not see
-  std::vector<SolvedContact> resting_contacts;
+  RigidContacts* contacts = nullptr;      ///< on a device
+  TablesOfMeshes<ContactHull> hulls;      ///< solids that share a mesh share its hull
+  TablesOfMeshes<ContactGround> grounds;  ///< likewise
+  bool parts_changed = true;              ///< since `contacts` got them
+  bool boxes_changed = false;             ///< since Bullet's broad phase got them
+  std::vector<SavedContact> resting;      ///< contacts of sleeping bodies, which a device need not see
+  std::vector<RigidRef> removed;          ///< solids that were removed since `contacts` got the parts
   std::vector<ContactBody> contact_bodies;
   std::vector<ContactMotion> contact_motions, unpushed;  ///< at the end of a step; without its impulses
 
@@ -199,6 +199,7 @@ struct RigidWorld::Impl {
   /// it has no contacts of.
   ContactSolid contact_solid(const RigidSolid& solid);
   void update_parts();
+  void drop_contacts_of_removed();
   void update_boxes();
   int small_steps() const;
   ContactBody contact_body(const RigidBodyRecord& body, float h, bool pushed) const;
@@ -213,6 +214,7 @@ struct RigidWorld::Impl {
   void note_rest(float dt);
   void fall_asleep();
   bool rests(const RigidRef& solid) const;
+  bool is_removed(const RigidRef& solid) const;
   void part_resting(bool fall);
   ContactStep contact_step(float dt) const;
   void begin_on_device(float dt);

@@ -244,6 +244,7 @@ void RigidWorld::remove(std::span<const RigidRef> solids) {
     const std::vector<uint32_t>& its = impl_->body(solid.number).joints;
     joints.insert(joints.end(), its.begin(), its.end());
   }
+  if (impl_->def.on_device) impl_->removed.insert(impl_->removed.end(), solids.begin(), solids.end());
   impl_->remove(gone, proxies);
   for (const uint32_t joint : joints) {
     if (has_joint(joint)) impl_->remove_joint(joint);

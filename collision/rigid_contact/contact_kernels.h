@@ -23,9 +23,12 @@ struct FoundContact {
 /// What is kept of a contact for the next step, by the first of its parts.
 struct ContactMemory {
   uint32_t b, count;
+  Vec3 normal;
   uint32_t feature[most_manifold_points];
   float pressure[most_manifold_points];
   Vec3 friction[most_manifold_points];
+  Vec3 position[most_manifold_points];
+  float distance[most_manifold_points], impulse[most_manifold_points];
 };
 
 /// Finds contacts of pairs, and gives them what they start from.

@@ -73,6 +73,22 @@ void RigidContactSet<D>::set_parts(const ContactSolid& all) {
   restore(kept);
 }
 
+inline SavedContact saved_point(uint64_t key_a, uint64_t key_b, const rigid_contact_kernels::ContactMemory& m,
+                                uint32_t k) {
+  return {key_a,         key_b,    m.feature[k],  m.pressure[k], m.friction[k],
+          m.position[k], m.normal, m.distance[k], m.impulse[k]};
+}
+
+inline void add_point(rigid_contact_kernels::ContactMemory& m, const SavedContact& s) {
+  const uint32_t k = m.count++;
+  m.feature[k] = s.feature;
+  m.pressure[k] = s.pressure;
+  m.friction[k] = s.friction;
+  m.position[k] = s.position;
+  m.distance[k] = s.distance;
+  m.impulse[k] = s.impulse;
+}
+
 template <class D>
 std::vector<SavedContact> RigidContactSet<D>::save() {
   std::vector<SavedContact> saved;
@@ -83,8 +99,7 @@ std::vector<SavedContact> RigidContactSet<D>::save() {
   for (uint32_t a = 0; a < part_count(); ++a) {
     for (uint32_t m = start[a]; m < start[a + 1]; ++m) {
       for (uint32_t k = 0; k < memory[m].count; ++k)
-        saved.push_back({host_parts_[a].key, host_parts_[memory[m].b].key, memory[m].feature[k],
-                         memory[m].pressure[k], memory[m].friction[k]});
+        saved.push_back(saved_point(host_parts_[a].key, host_parts_[memory[m].b].key, memory[m], k));
     }
   }
   return saved;
@@ -102,12 +117,10 @@ void RigidContactSet<D>::restore(std::span<const SavedContact> saved) {
     if (a == place.end() || b == place.end()) continue;
     std::vector<ContactMemory>& all = of_part[a->second];
     // A ground has several manifolds with a part.
-    if (all.empty() || all.back().b != b->second || all.back().count == most_manifold_points)
-      all.push_back({b->second, 0, {}, {}, {}});
-    ContactMemory& m = all.back();
-    m.feature[m.count] = s.feature;
-    m.pressure[m.count] = s.pressure;
-    m.friction[m.count++] = s.friction;
+    if (all.empty() || all.back().b != b->second || all.back().count == most_manifold_points ||
+        !(all.back().normal == s.normal))
+      all.push_back({b->second, 0, s.normal, {}, {}, {}, {}, {}, {}});
+    add_point(all.back(), s);
   }
   std::vector<ContactMemory> memory;
   std::vector<uint32_t> start{0};
@@ -129,23 +142,6 @@ std::vector<ContactBodies> RigidContactSet<D>::found() {
   if (contact_count_ == 0) return {};
   device_.wait();
   return contact_bodies_.read(contact_count_);
-}
-
-template <class D>
-std::vector<SolvedContact> RigidContactSet<D>::solved() {
-  std::vector<SolvedContact> all;
-  if (contact_count_ == 0) return all;
-  device_.wait();
-  const auto contacts = solver_.read(contact_count_);
-  for (const auto& c : contacts) {
-    const Vec3 centre = c.bodies.a == pbd::no_index ? Vec3{0, 0, 0} : start_.host()[c.bodies.a].pose.position;
-    for (uint32_t k = 0; k < c.count; ++k) {
-      const auto& p = c.points[k];
-      all.push_back(
-          {host_parts_[c.a].key, host_parts_[c.b].key, centre + p.arm_a, c.normal, p.distance, p.total});
-    }
-  }
-  return all;
 }
 
 }  // namespace meniscus::collision

@@ -38,7 +38,6 @@ class RigidContactSet final : public RigidContacts {
   void accept() override;
   std::vector<SavedContact> save() override;
   void restore(std::span<const SavedContact> saved) override;
-  std::vector<SolvedContact> solved() override;
 
  private:
   void load(std::span<const ContactBody> bodies);

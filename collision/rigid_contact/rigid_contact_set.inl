@@ -204,8 +204,9 @@ template <class D>
 void RigidContactSet<D>::accept() {
   make_room(memory_, contact_count_);
   memory_count_ = contact_count_;
-  device_.parallel_for("solids/keep", contact_count_,
-                       rigid_contact_kernels::KeepMemory{solver_.view(), memory_.view(), small_step_});
+  device_.parallel_for(
+      "solids/keep", contact_count_,
+      rigid_contact_kernels::KeepMemory{solver_.view(), start_.view(), memory_.view(), small_step_});
   memory_start_.swap(contact_start_);
 }
 

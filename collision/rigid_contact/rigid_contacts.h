@@ -55,17 +55,12 @@ struct ContactStep {
   float least_bounce;  ///< m/s: slower contacts do not bounce
 };
 
-/// What a point starts from in the next step.
+/// A point of a contact in the last step, with what it starts from in the next one.
 struct SavedContact {
   uint64_t key_a, key_b;  ///< of the two parts
   uint32_t feature;
   float pressure;  ///< N, along the normal
   Vec3 friction;   ///< N
-};
-
-/// A point of a contact in the last step.
-struct SolvedContact {
-  uint64_t key_a, key_b;
   Vec3 position;   ///< m, between both surfaces, when it was found
   Vec3 normal;     ///< from b to a
   float distance;  ///< m
@@ -94,9 +89,9 @@ class RigidContacts {
   /// Makes the last advance() what the next step starts from.
   virtual void accept() = 0;
 
+  /// All contacts of the last step that was accepted, or restored.
   virtual std::vector<SavedContact> save() = 0;
   virtual void restore(std::span<const SavedContact> saved) = 0;
-  virtual std::vector<SolvedContact> solved() = 0;
 };
 
 }  // namespace meniscus::collision

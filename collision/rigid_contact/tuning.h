@@ -64,7 +64,7 @@ inline constexpr float most_turn = 0.7853982f;
 inline constexpr unsigned colour_rounds = 24;
 
 /// Rounds over the points of a contact that bounces.
-/// Test: RigidDevice.BouncesTheSameFromAnyHeight.
+/// Test: RigidContactTest.BouncesTheSameFromAnyHeight.
 inline constexpr int bounce_rounds = 8;
 
 /// Of the median radius: parts above are large, and no cell holds them.
