@@ -39,7 +39,7 @@ inline constexpr float facing = 0.1f;
 inline constexpr float margin = 0.02f;
 
 /// Of the radius: the most by which fast small parts reach for one another. Cells of the grid are wider by
-/// it. Test: none.
+/// it. Test: RigidDeviceTuning.PartsThatCloseInByTheirReachMeet.
 inline constexpr float most_reach = 0.25f;
 
 /// Of the rate of small steps: the frequency of a contact's spring. At a quarter, pyramids tremble. At a
@@ -52,7 +52,7 @@ inline constexpr float frequency = 0.125f;
 inline constexpr float damping = 3;
 
 /// 1/s, times the radius of the smaller part: the fastest removal of overlaps.
-/// Test: none.
+/// Test: RigidDeviceTuning.OverlapsGoAtTheirBound.
 inline constexpr float push_rate = 30;
 
 /// rad: the most by which a body tumbles in a step, a quarter of half a turn, as in Bullet.
@@ -60,7 +60,7 @@ inline constexpr float push_rate = 30;
 inline constexpr float most_turn = 0.7853982f;
 
 /// Rounds of colouring. A jumble needs about ten. What has no colour then is solved one by one.
-/// Test: none.
+/// Test: RigidDeviceTuning.ABodyOfMoreContactsThanColoursRests.
 inline constexpr unsigned colour_rounds = 24;
 
 /// Rounds over the points of a contact that bounces.
@@ -68,7 +68,7 @@ inline constexpr unsigned colour_rounds = 24;
 inline constexpr int bounce_rounds = 8;
 
 /// Of the median radius: parts above are large, and no cell holds them.
-/// Test: none.
+/// Test: RigidDeviceTuning.PartsOfAllSizesFindOneAnother.
 inline constexpr float large = 2;
 
 }  // namespace meniscus::collision::rigid_contact_tuning
