@@ -44,22 +44,20 @@ bool RigidWorld::Impl::rests(const RigidRef& solid) const {
   return body.kinematic || !body.bullet->isActive();
 }
 
-/// Moves contacts of solids that rest all from the device to the lists of resting ones, or those of others
+/// Moves contacts of solids that rest all from the device to the list of resting ones, or those of others
 /// back.
 void RigidWorld::Impl::part_resting(bool fall) {
   const auto rest = [&](const auto& c) {
     return rests(solid_of_key(c.key_a)) && rests(solid_of_key(c.key_b));
   };
+  std::vector<SavedContact> all = contacts->save();
   if (fall) {
-    std::ranges::copy_if(contacts->save(), std::back_inserter(resting_starts), rest);
-    std::ranges::copy_if(contacts->solved(), std::back_inserter(resting_contacts), rest);
+    std::ranges::copy_if(all, std::back_inserter(resting), rest);
     return;
   }
-  std::vector<SavedContact> starts = contacts->save();
-  std::ranges::copy_if(resting_starts, std::back_inserter(starts), std::not_fn(rest));
-  contacts->restore(starts);
-  std::erase_if(resting_starts, std::not_fn(rest));
-  std::erase_if(resting_contacts, std::not_fn(rest));
+  std::ranges::copy_if(resting, std::back_inserter(all), std::not_fn(rest));
+  contacts->restore(all);
+  std::erase_if(resting, std::not_fn(rest));
 }
 
 /// Wakes all of each island of which a body has been woken. Returns whether there were any.
@@ -117,7 +115,7 @@ void RigidWorld::Impl::wake_resting(std::span<btRigidBody* const> changed) {
       return ref.is_body == solid.is_body && ref.number == solid.number;
     });
   };
-  for (const SolvedContact& c : resting_contacts) {
+  for (const SavedContact& c : resting) {
     const RigidRef a = solid_of_key(c.key_a), b = solid_of_key(c.key_b);
     if (a.is_body && bodies.has(a.number) && changes(b)) bodies.slots[a.number]->bullet->activate();
     if (b.is_body && bodies.has(b.number) && changes(a)) bodies.slots[b.number]->bullet->activate();

@@ -6,7 +6,6 @@
 #include <meniscus/error.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 #include "collision/rigid/rigid_impl.h"
@@ -14,109 +13,14 @@
 
 namespace meniscus::collision {
 
-namespace {
-
-[[noreturn]] void refuse_part(const char* what) {
-  throw Error(ErrorCode::invalid_argument, std::string("RigidSolverDef::solver is device, which has no ") +
-                                               what +
-                                               " among solids, only boxes, spheres, capsules and planes; "
-                                               "bullet has all");
-}
-
-/// The shortest rotation that takes the y axis to a unit normal.
-Quat turn_up_to(Vec3 normal) {
-  if (normal.y < -0.9999f) return {1, 0, 0, 0};
-  return normalized(Quat{normal.z, 0, -normal.x, 1 + normal.y});
-}
-
-/// A part in the geometry's frame.
-ContactPart contact_part(const RigidPart& part) {
-  ContactPart made;
-  made.pose = part.pose;
-  switch (part.kind) {
-    case RigidPart::Kind::box:
-      made.shape = {ConvexKind::box, part.size};
-      return made;
-    case RigidPart::Kind::sphere:
-      made.shape = {ConvexKind::sphere, {part.size.x, 0, 0}};
-      return made;
-    case RigidPart::Kind::capsule:
-      made.shape = {ConvexKind::capsule, {part.size.x, part.size.y, 0}};
-      return made;
-    case RigidPart::Kind::plane:
-      made.shape = {ConvexKind::plane, {0, 0, 0}};
-      made.pose = part.pose * Pose{part.offset * part.size, turn_up_to(part.size)};
-      return made;
-    case RigidPart::Kind::cylinder:
-      refuse_part("cylinders");
-    case RigidPart::Kind::height_field:
-      refuse_part("height fields");
-    case RigidPart::Kind::hull:
-    case RigidPart::Kind::mesh:
-      break;
-  }
-  refuse_part("meshes");
-}
-
-/// Of one solid, with its surface, filter and pose of today.
-void add_parts(const std::vector<ContactPart>& own, const btRigidBody& bullet, const Pose& frame,
-               uint64_t solid, std::vector<ContactPart>& all) {
-  for (size_t k = 0; k < own.size(); ++k) {
-    ContactPart part = own[k];
-    part.pose = frame * part.pose;
-    part.friction = bullet.getFriction();
-    part.restitution = bullet.getRestitution();
-    part.groups = static_cast<uint32_t>(bullet.getBroadphaseHandle()->m_collisionFilterGroup);
-    part.mask = static_cast<uint32_t>(bullet.getBroadphaseHandle()->m_collisionFilterMask);
-    part.key = solid << 16 | k;
-    all.push_back(part);
-  }
-}
-
-constexpr uint64_t fixed_key = uint64_t{1} << 32;  // of fixed solids, whose keys come after those of bodies
-
-}  // namespace
-
-RigidRef solid_of_key(uint64_t key) {
-  return {(key >> 16 & fixed_key) == 0, static_cast<uint32_t>(key >> 16)};
-}
-
 float yielding_of(const RigidMemory& memory) {
   if (memory.free_work == 0) return 1;
   return pbd::clamp(memory.push_work / memory.free_work, rigid_tuning::least_yielding, 1);
 }
 
-std::vector<ContactPart> contact_parts(const RigidSolid& solid) {
-  if (solid.parts.size() > 1u << 16) refuse_part("solids of more than 65536 parts");
-  std::vector<ContactPart> parts;
-  for (const RigidPart& part : solid.parts) parts.push_back(contact_part(part));
-  return parts;
-}
-
 void refuse_joint() {
   throw Error(ErrorCode::invalid_argument,
               "RigidSolverDef::solver is device, which has no joints; bullet has them");
-}
-
-void RigidWorld::Impl::update_parts() {
-  assert(contacts);
-  if (!parts_changed) return;
-  std::vector<ContactPart> all;
-  for (uint32_t n = 0; n < bodies.slots.size(); ++n) {
-    if (!bodies.has(n)) continue;
-    const RigidBodyRecord& body = *bodies.slots[n];
-    const size_t first = all.size();
-    add_parts(body.contact_parts, *body.bullet, inverse(body.shape.frame), n, all);
-    for (size_t k = first; k < all.size(); ++k) all[k].body = n;
-  }
-  for (uint32_t n = 0; n < fixed.slots.size(); ++n) {
-    if (!fixed.has(n)) continue;
-    const RigidFixedRecord& solid = *fixed.slots[n];
-    const Pose pose = from_bullet(solid.bullet->getWorldTransform()) * inverse(solid.shape.frame);
-    add_parts(solid.contact_parts, *solid.bullet, pose, fixed_key | n, all);
-  }
-  contacts->set_parts(all);
-  parts_changed = false;
 }
 
 /// Small steps in one of `substeps` steps. Each visits all contacts twice.
@@ -263,13 +167,13 @@ void RigidWorld::Impl::update_boxes() {
 std::vector<RigidContact> RigidWorld::Impl::contacts_on_device() const {
   std::vector<RigidContact> all;
   if (!contacts) return all;
-  const auto add = [&](const SolvedContact& c) {
-    const float half = 0.5f * c.distance;
-    all.push_back({solid_of_key(c.key_a), solid_of_key(c.key_b), c.position - half * c.normal, c.normal,
-                   c.distance, c.impulse});
+  const auto add = [&](const SavedContact& c) {
+    const RigidRef a = solid_of_key(c.key_a), b = solid_of_key(c.key_b);
+    if (is_removed(a) || is_removed(b)) return;
+    all.push_back({a, b, c.position - 0.5f * c.distance * c.normal, c.normal, c.distance, c.impulse});
   };
-  std::ranges::for_each(contacts->solved(), add);
-  std::ranges::for_each(resting_contacts, add);
+  std::ranges::for_each(contacts->save(), add);
+  std::ranges::for_each(resting, add);
   return all;
 }
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <memory>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "collision/mesh/bullet_memory.h"
@@ -50,13 +51,13 @@ struct RigidBodyRecord {
   Pose from, to;                             ///< kinematic bodies: poses at both ends of the present step
   Vec3 push{0, 0, 0}, push_torque{0, 0, 0};  ///< N and N·m, of particles in the present step, if sprung
                                              ///< or on a device
-  std::vector<ContactPart> contact_parts;    ///< on a device, in the geometry's frame
+  ContactSolid contact;                      ///< on a device, in the geometry's frame
 };
 
 struct RigidFixedRecord {
   RigidShape shape;
   std::unique_ptr<btRigidBody> bullet;
-  std::vector<ContactPart> contact_parts;  ///< on a device, in the geometry's frame
+  ContactSolid contact;  ///< on a device, in the geometry's frame
 };
 
 struct RigidJointRecord {
@@ -66,6 +67,27 @@ struct RigidJointRecord {
   float motor_torque = 0;  ///< N·m, of the hinge
   JointPlaces places{};    ///< from which its frames follow
   bool has_motor = false;
+};
+
+/// What was made of meshes, as long as a solid uses it.
+template <class T>
+struct TablesOfMeshes {
+  struct Entry {
+    std::weak_ptr<const TriangleMesh> mesh;
+    std::weak_ptr<const T> table;
+  };
+  std::unordered_map<const TriangleMesh*, Entry> entries;
+
+  template <class Make>
+  std::shared_ptr<const T> of(const std::shared_ptr<const TriangleMesh>& mesh, const Make& make) {
+    Entry& known = entries[mesh.get()];
+    std::shared_ptr<const T> table = known.table.lock();
+    // Another mesh may have had this address.
+    if (table && known.mesh.lock() == mesh) return table;
+    table = std::make_shared<const T>(make(*mesh));
+    known = {mesh, table};
+    return table;
+  }
 };
 
 /// Objects by number. A free number is used again, the lowest first.
@@ -123,11 +145,13 @@ struct RigidWorld::Impl {
   std::vector<uint64_t> touching_keys;
   std::vector<RigidTouch> touches;
   bool knows_touches = false;
-  RigidContacts* contacts = nullptr;         ///< on a device
-  bool parts_changed = true;                 ///< since `contacts` got them
-  bool boxes_changed = false;                ///< since Bullet's broad phase got them
-  std::vector<SavedContact> resting_starts;  ///< contacts of sleeping bodies, which a device need not see
-  std::vector<SolvedContact> resting_contacts;
+  RigidContacts* contacts = nullptr;      ///< on a device
+  TablesOfMeshes<ContactHull> hulls;      ///< solids that share a mesh share its hull
+  TablesOfMeshes<ContactGround> grounds;  ///< likewise
+  bool parts_changed = true;              ///< since `contacts` got them
+  bool boxes_changed = false;             ///< since Bullet's broad phase got them
+  std::vector<SavedContact> resting;      ///< contacts of sleeping bodies, which a device need not see
+  std::vector<RigidRef> removed;          ///< solids that were removed since `contacts` got the parts
   std::vector<ContactBody> contact_bodies;
   std::vector<ContactMotion> contact_motions, unpushed;  ///< at the end of a step; without its impulses
 
@@ -171,7 +195,11 @@ struct RigidWorld::Impl {
   void apply_forces(float dt);
   void limit_motors(float dt);
 
+  /// For a device, in the geometry's frame; otherwise nothing. Throws Error(invalid_argument) for parts that
+  /// it has no contacts of.
+  ContactSolid contact_solid(const RigidSolid& solid);
   void update_parts();
+  void drop_contacts_of_removed();
   void update_boxes();
   int small_steps() const;
   ContactBody contact_body(const RigidBodyRecord& body, float h, bool pushed) const;
@@ -186,6 +214,7 @@ struct RigidWorld::Impl {
   void note_rest(float dt);
   void fall_asleep();
   bool rests(const RigidRef& solid) const;
+  bool is_removed(const RigidRef& solid) const;
   void part_resting(bool fall);
   ContactStep contact_step(float dt) const;
   void begin_on_device(float dt);
@@ -217,9 +246,6 @@ btVector3 tumbled(const btRigidBody& body, const btVector3& angular, float dt);
 /// under. It is predicted with these forces, so that it bears particles as it did when it was awake.
 RigidMotion asleep(const btRigidBody& body, const RigidMemory& memory, float dt);
 
-/// For a device, in the geometry's frame. Throws Error(invalid_argument) for parts that it has no contacts
-/// of.
-std::vector<ContactPart> contact_parts(const RigidSolid& solid);
 /// The solid of a part with this key.
 RigidRef solid_of_key(uint64_t key);
 /// By what fraction a body gives way to its usual push among solids.

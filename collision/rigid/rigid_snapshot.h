@@ -41,8 +41,7 @@ struct RigidWorld::Snapshot {
   std::vector<SavedPrediction> predictions;
   std::vector<btManifoldPoint> predicted_points;
   RigidBroadphase::State broadphase;
-  std::vector<SavedContact> on_device, resting_starts;
-  std::vector<SolvedContact> resting_contacts;
+  std::vector<SavedContact> on_device, resting;
   double time = 0;
 };
 

@@ -184,7 +184,7 @@ uint32_t RigidWorld::add_fixed(const RigidSolid& solid, const RigidPlace& place)
   impl_->prepare();
   auto made = std::make_unique<RigidFixedRecord>();
   made->shape = make_rigid_shape(solid.parts, nullptr);
-  if (impl_->def.on_device) made->contact_parts = contact_parts(solid);
+  made->contact = impl_->contact_solid(solid);
   made->bullet = std::make_unique<btRigidBody>(info_of(solid, made->shape, 0));
   btRigidBody& body = *made->bullet;
   const uint32_t number = impl_->fixed.add_at(place.number, std::move(made));
@@ -200,7 +200,7 @@ uint32_t RigidWorld::add_body(const RigidBodyDef& def, const RigidPlace& place) 
   made->name = def.name;
   made->kinematic = def.motion == BodyMotion::kinematic;
   made->shape = make_rigid_shape(def.solid.parts, made->kinematic ? nullptr : &def.mass);
-  if (impl_->def.on_device) made->contact_parts = contact_parts(def.solid);
+  made->contact = impl_->contact_solid(def.solid);
   const float mass = made->kinematic ? 0 : static_cast<float>(def.mass.mass);
   btRigidBody::btRigidBodyConstructionInfo info = info_of(def.solid, made->shape, mass);
   info.m_linearDamping = def.linear_damping;
@@ -244,6 +244,7 @@ void RigidWorld::remove(std::span<const RigidRef> solids) {
     const std::vector<uint32_t>& its = impl_->body(solid.number).joints;
     joints.insert(joints.end(), its.begin(), its.end());
   }
+  if (impl_->def.on_device) impl_->removed.insert(impl_->removed.end(), solids.begin(), solids.end());
   impl_->remove(gone, proxies);
   for (const uint32_t joint : joints) {
     if (has_joint(joint)) impl_->remove_joint(joint);

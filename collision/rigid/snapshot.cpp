@@ -94,8 +94,7 @@ void RigidWorld::save_contacts(Snapshot& to) const {
     impl_->update_parts();
     to.on_device = impl_->contacts->save();
   }
-  to.resting_starts = impl_->resting_starts;
-  to.resting_contacts = impl_->resting_contacts;
+  to.resting = impl_->resting;
 }
 
 namespace {
@@ -168,8 +167,7 @@ void RigidWorld::restore(const Snapshot& from) {
     impl_->update_parts();
     impl_->contacts->restore(from.on_device);
   }
-  impl_->resting_starts = from.resting_starts;
-  impl_->resting_contacts = from.resting_contacts;
+  impl_->resting = from.resting;
   impl_->time = from.time;
   impl_->knows_touches = false;
 }

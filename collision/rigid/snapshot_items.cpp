@@ -134,14 +134,6 @@ struct ContactFields {
     v("feature", c.feature);
     v("pressure", c.pressure);
     v("friction", c.friction);
-  }
-};
-
-struct RestingFields {
-  template <class V>
-  void operator()(const V& v, SolvedContact& c) const {
-    v("key_a", c.key_a);
-    v("key_b", c.key_b);
     v("position", c.position);
     v("normal", c.normal);
     v("distance", c.distance);
@@ -206,8 +198,7 @@ void RigidWorld::visit_snapshot(Snapshot& s, pbd::StateVisitor& v) const {
   if (impl_->def.on_device) {
     visit(v, "device_body", s.bodies, DeviceBodyFields{});
     visit(v, "device_contact", s.on_device, ContactFields{});
-    visit(v, "resting_start", s.resting_starts, ContactFields{});
-    visit(v, "resting_contact", s.resting_contacts, RestingFields{});
+    visit(v, "resting_contact", s.resting, ContactFields{});
   }
   static constexpr const char* axes[] = {"edge_x", "edge_y", "edge_z"};
   for (int axis = 0; axis < 3; ++axis) {

@@ -26,7 +26,7 @@ inline constexpr float sleep_speed = 0.01f;
 
 /// Of the inner radius: a body that moves further in a step is swept, with a ball of the second size. A
 /// larger ball would meet the ground that the body rests on.
-/// Test: RigidContact.FastSmallBallsDoNotPassThroughAThinWall.
+/// Test: RigidContactTest.FastSmallBallsDoNotPassThroughAThinWall.
 inline constexpr float swept_motion = 0.5f, swept_radius = 0.4f;
 
 /// s: the time over which a body's usual push is averaged. Waves around a floating body last longer.

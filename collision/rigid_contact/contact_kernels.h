@@ -5,6 +5,7 @@
 // colour share no body that moves.
 #pragma once
 
+#include "collision/rigid_contact/hull_round.h"
 #include "collision/rigid_contact/pair_kernels.h"
 #include "collision/rigid_contact/touch.h"
 #include "pbd/device/base/atomics.h"
@@ -22,12 +23,16 @@ struct FoundContact {
 /// What is kept of a contact for the next step, by the first of its parts.
 struct ContactMemory {
   uint32_t b, count;
+  Vec3 normal;
   uint32_t feature[most_manifold_points];
   float pressure[most_manifold_points];
   Vec3 friction[most_manifold_points];
+  Vec3 position[most_manifold_points];
+  float distance[most_manifold_points], impulse[most_manifold_points];
 };
 
-struct TouchPairs {
+/// Finds contacts of pairs, and gives them what they start from.
+struct PairContacts {
   PairSearch search;
   View<const PartPair> pairs;
   View<const ContactMemory> memory;
@@ -35,7 +40,13 @@ struct TouchPairs {
   View<FoundContact> found;
   View<uint32_t> touches;
 
-  MENISCUS_HD void operator()(uint32_t k) const {
+  MENISCUS_HD bool has(uint32_t k, ConvexKind kind) const {
+    return search.parts[pairs[k].a].shape.kind == kind || search.parts[pairs[k].b].shape.kind == kind;
+  }
+
+  /// Calls touch(pose_a, a, pose_b, b, reach) for the manifold of a pair.
+  template <class Touch>
+  MENISCUS_HD void find(uint32_t k, const Touch& touch) const {
     const PartPair pair = pairs[k];
     const View<const ContactPart> parts = search.parts;
     const View<const PlacedPart> placed = search.placed;
@@ -45,6 +56,11 @@ struct TouchPairs {
     FoundContact c{pair.a, pair.b, {}, {}, {}};
     c.manifold = touch(placed[a].pose, parts[a].shape, placed[b].pose, parts[b].shape, search.reach_of(a, b));
     if (turned) c.manifold.normal = -c.manifold.normal;
+    store(k, c);
+  }
+
+  /// Stores the contact of a pair, with what it starts from.
+  MENISCUS_HD void store(uint32_t k, FoundContact c) const {
     remember(c);
     found[k] = c;
     touches[k] = c.manifold.count > 0;
@@ -61,6 +77,30 @@ struct TouchPairs {
         }
       }
     }
+  }
+};
+
+/// Pairs of boxes, round parts and planes.
+struct TouchPairs {
+  PairContacts contacts;
+
+  MENISCUS_HD void operator()(uint32_t k) const {
+    if (contacts.has(k, ConvexKind::hull) || contacts.has(k, ConvexKind::ground)) return;
+    contacts.find(k, [](const Pose& a, const Convex& of_a, const Pose& b, const Convex& of_b, float reach) {
+      return touch(a, of_a, b, of_b, reach);
+    });
+  }
+};
+
+/// Pairs with a hull.
+struct TouchHullPairs {
+  PairContacts contacts;
+  HullTable hulls;
+
+  MENISCUS_HD void operator()(uint32_t k) const {
+    if (!contacts.has(k, ConvexKind::hull) || contacts.has(k, ConvexKind::ground)) return;
+    contacts.find(k, [this](const Pose& a, const Convex& of_a, const Pose& b, const Convex& of_b,
+                            float reach) { return touch_hull(hulls, a, of_a, b, of_b, reach); });
   }
 };
 

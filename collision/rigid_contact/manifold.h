@@ -12,12 +12,16 @@
 
 namespace meniscus::collision {
 
-enum class ConvexKind : uint32_t { box, sphere, capsule, plane };
+enum class ConvexKind : uint32_t { box, sphere, capsule, plane, hull, ground };
 
-/// A convex part. A plane bounds a half-space, with the y axis of its frame as the normal.
+/// A convex part, or a ground, which is a mesh or a height field. A plane bounds a half-space, with the y
+/// axis of its frame as the normal.
 struct Convex {
   ConvexKind kind;
-  Vec3 size;  ///< m: half extents of a box; round parts: radius, half height along y
+  Vec3 size;  ///< m: half extents of a box, or of that around a hull or ground; round parts: radius, half
+              ///< height along y
+  uint32_t table = 0;  ///< of a hull or a ground: its number (hull.h, ground.h)
+  float radius = 0;    ///< m, of the ball around a hull
 };
 
 inline constexpr uint32_t most_manifold_points = 4;
@@ -48,13 +52,24 @@ MENISCUS_HD inline Vec3 unit_axis(int axis) {
   return {axis == 0 ? 1.0f : 0.0f, axis == 1 ? 1.0f : 0.0f, axis == 2 ? 1.0f : 0.0f};
 }
 
-/// m: of the ball around the part's origin. Planes have none.
+MENISCUS_HD inline float least_component(Vec3 v) {
+  return pbd::min(v.x, pbd::min(v.y, v.z));
+}
+
+/// Whether it has contacts with parts of all sizes, and none with its like.
+MENISCUS_HD inline bool is_unbounded(const Convex& part) {
+  return part.kind == ConvexKind::plane || part.kind == ConvexKind::ground;
+}
+
+/// m: of the ball around the part's origin. Planes and grounds have none.
 MENISCUS_HD inline float bounding_radius(const Convex& part) {
   switch (part.kind) {
     case ConvexKind::box:
       return length(part.size);
     case ConvexKind::capsule:
       return part.size.x + part.size.y;
+    case ConvexKind::hull:
+      return part.radius;
     default:
       return part.size.x;
   }

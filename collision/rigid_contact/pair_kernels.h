@@ -5,6 +5,7 @@
 // and planes, are tested against all others.
 #pragma once
 
+#include "collision/rigid_contact/ground_manifolds.h"
 #include "collision/rigid_contact/rigid_contacts.h"
 #include "collision/rigid_contact/tuning.h"
 #include "pbd/device/base/view.h"
@@ -50,7 +51,7 @@ struct CellGrid {
 /// Half extents of the box around a part.
 MENISCUS_HD inline Vec3 extents_of(const Convex& shape, Quat turn) {
   if (shape.kind == ConvexKind::plane) return {1e30f, 1e30f, 1e30f};
-  if (shape.kind == ConvexKind::box) {
+  if (shape.kind == ConvexKind::box || shape.kind == ConvexKind::hull || shape.kind == ConvexKind::ground) {
     return shape.size.x * abs(rotate(turn, {1, 0, 0})) + shape.size.y * abs(rotate(turn, {0, 1, 0})) +
            shape.size.z * abs(rotate(turn, {0, 0, 1}));
   }
@@ -72,13 +73,14 @@ struct PlaceParts {
     const ContactPart part = parts[i];
     PlacedPart p{part.pose, {0, 0, 0}, 0, 0, false};
     float way = 0;
-    const float radius = part.shape.kind == ConvexKind::plane ? 0 : bounding_radius(part.shape);
+    const float radius = is_unbounded(part.shape) ? 0 : bounding_radius(part.shape);
+    const float size = part.shape.kind == ConvexKind::ground ? length(part.shape.size) : radius;
     if (part.body != pbd::no_index) {
       const ContactBody body = bodies[part.body];
       p.pose = body.pose * part.pose;
       p.moves = body.inverse_mass > 0;
       way = dt * (length(body.velocity) + dt * length(body.acceleration) +
-                  (radius + length(part.pose.position)) * length(body.angular));
+                  (size + length(part.pose.position)) * length(body.angular));
     }
     p.half = extents_of(part.shape, p.pose.rotation);
     p.far = rigid_contact_tuning::margin * radius + way;
@@ -123,6 +125,12 @@ struct PairSearch {
            (a.groups & b.mask) != 0 && (b.groups & a.mask) != 0;
   }
 
+  /// A ground has several manifolds with a part.
+  MENISCUS_HD uint32_t entries(uint32_t i, uint32_t j) const {
+    const bool any = parts[i].shape.kind == ConvexKind::ground || parts[j].shape.kind == ConvexKind::ground;
+    return any ? most_ground_normals : 1;
+  }
+
   /// m: how far apart two parts may be in contact.
   MENISCUS_HD float reach_of(uint32_t i, uint32_t j) const {
     return is_large[i] || is_large[j] ? placed[i].far + placed[j].far : placed[i].near + placed[j].near;
@@ -155,7 +163,7 @@ struct CountPairs {
 
   MENISCUS_HD void operator()(uint32_t i) const {
     uint32_t found = 0;
-    search.for_each_partner(i, [&](uint32_t) { ++found; });
+    search.for_each_partner(i, [&](uint32_t j) { found += search.entries(i, j); });
     count[i] = found;
   }
 };
@@ -167,7 +175,9 @@ struct ListPairs {
 
   MENISCUS_HD void operator()(uint32_t i) const {
     uint32_t at = starts[i];
-    search.for_each_partner(i, [&](uint32_t j) { pairs[at++] = {i, j}; });
+    search.for_each_partner(i, [&](uint32_t j) {
+      for (uint32_t n = search.entries(i, j); n > 0; --n) pairs[at++] = {i, j};
+    });
   }
 };
 

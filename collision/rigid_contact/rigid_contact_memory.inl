@@ -22,7 +22,7 @@ void make_room(pbd::Buffer<T>& buffer, uint32_t count) {
 inline float largest_small_radius(std::span<const ContactPart> parts) {
   std::vector<float> radii;
   for (const ContactPart& p : parts)
-    if (p.shape.kind != ConvexKind::plane) radii.push_back(bounding_radius(p.shape));
+    if (!is_unbounded(p.shape)) radii.push_back(bounding_radius(p.shape));
   if (radii.empty()) return 1;
   const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
   std::ranges::nth_element(radii, middle);
@@ -34,16 +34,17 @@ inline float largest_small_radius(std::span<const ContactPart> parts) {
 }
 
 template <class D>
-void RigidContactSet<D>::set_parts(std::span<const ContactPart> parts) {
+void RigidContactSet<D>::set_parts(const ContactSolid& all) {
   const std::vector<SavedContact> kept = save();
-  host_parts_.assign(parts.begin(), parts.end());
+  const std::vector<ContactPart>& parts = all.parts;
+  host_parts_ = parts;
   const uint32_t count = part_count();
   const float small = largest_small_radius(parts);
   std::vector<uint32_t> is_large(count), large;
   any_bounces_ = false;
   for (uint32_t i = 0; i < count; ++i) {
     const Convex& shape = parts[i].shape;
-    is_large[i] = shape.kind == ConvexKind::plane || bounding_radius(shape) > small;
+    is_large[i] = is_unbounded(shape) || bounding_radius(shape) > small;
     if (is_large[i]) large.push_back(i);
     any_bounces_ |= parts[i].restitution > 0;
   }
@@ -52,7 +53,11 @@ void RigidContactSet<D>::set_parts(std::span<const ContactPart> parts) {
            static_cast<uint32_t>(std::bit_width(std::max(2 * count, 8u)))};
   device_.wait();
   parts_.resize_discard(count);
+  for (ContactPart& part : host_parts_)
+    if (part.shape.kind != ConvexKind::ground) part.shape.table = HullBuffers::number_of(part.shape);
   parts_.write(host_parts_);
+  hulls_.set(all.hulls, !all.grounds.empty());
+  grounds_.set(all.grounds);
   is_large_.resize_discard(count);
   is_large_.write(is_large);
   large_.resize_discard(large.size());
@@ -68,6 +73,22 @@ void RigidContactSet<D>::set_parts(std::span<const ContactPart> parts) {
   restore(kept);
 }
 
+inline SavedContact saved_point(uint64_t key_a, uint64_t key_b, const rigid_contact_kernels::ContactMemory& m,
+                                uint32_t k) {
+  return {key_a,         key_b,    m.feature[k],  m.pressure[k], m.friction[k],
+          m.position[k], m.normal, m.distance[k], m.impulse[k]};
+}
+
+inline void add_point(rigid_contact_kernels::ContactMemory& m, const SavedContact& s) {
+  const uint32_t k = m.count++;
+  m.feature[k] = s.feature;
+  m.pressure[k] = s.pressure;
+  m.friction[k] = s.friction;
+  m.position[k] = s.position;
+  m.distance[k] = s.distance;
+  m.impulse[k] = s.impulse;
+}
+
 template <class D>
 std::vector<SavedContact> RigidContactSet<D>::save() {
   std::vector<SavedContact> saved;
@@ -78,8 +99,7 @@ std::vector<SavedContact> RigidContactSet<D>::save() {
   for (uint32_t a = 0; a < part_count(); ++a) {
     for (uint32_t m = start[a]; m < start[a + 1]; ++m) {
       for (uint32_t k = 0; k < memory[m].count; ++k)
-        saved.push_back({host_parts_[a].key, host_parts_[memory[m].b].key, memory[m].feature[k],
-                         memory[m].pressure[k], memory[m].friction[k]});
+        saved.push_back(saved_point(host_parts_[a].key, host_parts_[memory[m].b].key, memory[m], k));
     }
   }
   return saved;
@@ -96,12 +116,11 @@ void RigidContactSet<D>::restore(std::span<const SavedContact> saved) {
     const auto a = place.find(s.key_a), b = place.find(s.key_b);
     if (a == place.end() || b == place.end()) continue;
     std::vector<ContactMemory>& all = of_part[a->second];
-    if (all.empty() || all.back().b != b->second) all.push_back({b->second, 0, {}, {}, {}});
-    ContactMemory& m = all.back();
-    if (m.count == most_manifold_points) continue;
-    m.feature[m.count] = s.feature;
-    m.pressure[m.count] = s.pressure;
-    m.friction[m.count++] = s.friction;
+    // A ground has several manifolds with a part.
+    if (all.empty() || all.back().b != b->second || all.back().count == most_manifold_points ||
+        !(all.back().normal == s.normal))
+      all.push_back({b->second, 0, s.normal, {}, {}, {}, {}, {}, {}});
+    add_point(all.back(), s);
   }
   std::vector<ContactMemory> memory;
   std::vector<uint32_t> start{0};
@@ -123,23 +142,6 @@ std::vector<ContactBodies> RigidContactSet<D>::found() {
   if (contact_count_ == 0) return {};
   device_.wait();
   return contact_bodies_.read(contact_count_);
-}
-
-template <class D>
-std::vector<SolvedContact> RigidContactSet<D>::solved() {
-  std::vector<SolvedContact> all;
-  if (contact_count_ == 0) return all;
-  device_.wait();
-  const auto contacts = solver_.read(contact_count_);
-  for (const auto& c : contacts) {
-    const Vec3 centre = c.bodies.a == pbd::no_index ? Vec3{0, 0, 0} : start_.host()[c.bodies.a].pose.position;
-    for (uint32_t k = 0; k < c.count; ++k) {
-      const auto& p = c.points[k];
-      all.push_back(
-          {host_parts_[c.a].key, host_parts_[c.b].key, centre + p.arm_a, c.normal, p.distance, p.total});
-    }
-  }
-  return all;
 }
 
 }  // namespace meniscus::collision

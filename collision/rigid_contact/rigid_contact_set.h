@@ -6,6 +6,8 @@
 
 #include <memory>
 
+#include "collision/rigid_contact/ground_buffers.h"
+#include "collision/rigid_contact/hull_buffers.h"
 #include "collision/rigid_contact/solve_kernels.h"
 #include "pbd/device/buffer.h"
 #include "pbd/device/shared_buffer.h"
@@ -28,7 +30,7 @@ class RigidContactSet final : public RigidContacts {
  public:
   explicit RigidContactSet(D& device) : device_(device) {}
 
-  void set_parts(std::span<const ContactPart> parts) override;
+  void set_parts(const ContactSolid& all) override;
   void find(std::span<const ContactBody> bodies, float dt) override;
   std::vector<ContactBodies> found() override;
   void advance(std::span<const ContactBody> bodies, const ContactStep& step,
@@ -36,7 +38,6 @@ class RigidContactSet final : public RigidContacts {
   void accept() override;
   std::vector<SavedContact> save() override;
   void restore(std::span<const SavedContact> saved) override;
-  std::vector<SolvedContact> solved() override;
 
  private:
   void load(std::span<const ContactBody> bodies);
@@ -62,6 +63,8 @@ class RigidContactSet final : public RigidContacts {
   std::vector<uint32_t> colour_starts_;
 
   pbd::Buffer<ContactPart> parts_{device_, "solid parts"};
+  HullBuffers hulls_{device_};
+  GroundBuffers grounds_{device_};
   pbd::Buffer<uint32_t> is_large_{device_, "large parts"}, large_{device_, "large parts"};
   pbd::SharedBuffer<ContactBody> start_{device_, "bodies of contacts"};
   pbd::SharedBuffer<ContactMotion> motion_{device_, "bodies of contacts"};

@@ -8,6 +8,7 @@
 #include <bit>
 #include <cmath>
 
+#include "collision/rigid_contact/ground_kernels.h"
 #include "collision/rigid_contact/rigid_contact_memory.inl"
 #include "collision/rigid_contact/rigid_contact_set.h"
 
@@ -94,9 +95,14 @@ void RigidContactSet<D>::find_contacts() {
     contact_start_.fill(0);
     return;
   }
-  device_.parallel_for("solids/touch", pair_count_,
-                       TouchPairs{search(), pairs_.view(), memory_.view(), memory_start_.view(),
-                                  found_.view(), touches_.view()});
+  const PairContacts contacts{search(),      pairs_.view(),  memory_.view(), memory_start_.view(),
+                              found_.view(), touches_.view()};
+  device_.parallel_for("solids/touch", pair_count_, TouchPairs{contacts});
+  if (hulls_.any())
+    device_.parallel_for("solids/touch hulls", pair_count_, TouchHullPairs{contacts, hulls_.table()});
+  if (grounds_.any())
+    device_.parallel_for("solids/touch grounds", pair_count_,
+                         TouchGroundPairs{contacts, hulls_.table(), grounds_.table()});
   device_.exclusive_scan("solids/contact places", touches_.view().first(pair_count_),
                          place_.view().first(pair_count_ + 1));
   place_.read(std::span(&contact_count_, 1), pair_count_);
@@ -198,8 +204,9 @@ template <class D>
 void RigidContactSet<D>::accept() {
   make_room(memory_, contact_count_);
   memory_count_ = contact_count_;
-  device_.parallel_for("solids/keep", contact_count_,
-                       rigid_contact_kernels::KeepMemory{solver_.view(), memory_.view(), small_step_});
+  device_.parallel_for(
+      "solids/keep", contact_count_,
+      rigid_contact_kernels::KeepMemory{solver_.view(), start_.view(), memory_.view(), small_step_});
   memory_start_.swap(contact_start_);
 }
 

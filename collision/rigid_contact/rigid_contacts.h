@@ -5,10 +5,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
-#include "collision/rigid_contact/manifold.h"
+#include "collision/rigid_contact/ground.h"
+#include "collision/rigid_contact/hull.h"
 #include "pbd/contacts.h"
 
 namespace meniscus::collision {
@@ -21,6 +23,13 @@ struct ContactPart {
   float friction = 0, restitution = 0;  ///< square roots: two solids have the products
   uint32_t groups = 0, mask = 0;
   uint64_t key = 0;  ///< the same as long as the solid lives
+};
+
+/// The parts of a solid, with their hulls and grounds: part.shape.table is a place there.
+struct ContactSolid {
+  std::vector<ContactPart> parts;
+  std::vector<std::shared_ptr<const ContactHull>> hulls;
+  std::vector<std::shared_ptr<const ContactGround>> grounds;
 };
 
 /// A body at the start of a step.
@@ -46,17 +55,12 @@ struct ContactStep {
   float least_bounce;  ///< m/s: slower contacts do not bounce
 };
 
-/// What a point starts from in the next step.
+/// A point of a contact in the last step, with what it starts from in the next one.
 struct SavedContact {
   uint64_t key_a, key_b;  ///< of the two parts
   uint32_t feature;
   float pressure;  ///< N, along the normal
   Vec3 friction;   ///< N
-};
-
-/// A point of a contact in the last step.
-struct SolvedContact {
-  uint64_t key_a, key_b;
   Vec3 position;   ///< m, between both surfaces, when it was found
   Vec3 normal;     ///< from b to a
   float distance;  ///< m
@@ -73,7 +77,7 @@ class RigidContacts {
   virtual ~RigidContacts() = default;
 
   /// Replaces all parts. Contacts of parts that stay keep what they start from.
-  virtual void set_parts(std::span<const ContactPart> parts) = 0;
+  virtual void set_parts(const ContactSolid& all) = 0;
   /// Finds the contacts of a step that may last dt (s). Velocities and accelerations say how far ahead.
   virtual void find(std::span<const ContactBody> bodies, float dt) = 0;
   /// Those that find() has found, by contact. Bodies that contacts do not move have none with one another.
@@ -85,9 +89,9 @@ class RigidContacts {
   /// Makes the last advance() what the next step starts from.
   virtual void accept() = 0;
 
+  /// All contacts of the last step that was accepted, or restored.
   virtual std::vector<SavedContact> save() = 0;
   virtual void restore(std::span<const SavedContact> saved) = 0;
-  virtual std::vector<SolvedContact> solved() = 0;
 };
 
 }  // namespace meniscus::collision

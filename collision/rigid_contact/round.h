@@ -112,7 +112,7 @@ MENISCUS_HD inline void touch_box_capsule(const Segment& a, float radius, const 
   if (deepest < 0) return;
   out.normal = each[deepest].normal;
   for (const Manifold& m : each) {
-    if (m.count && dot(m.normal, out.normal) > 0.999f)
+    if (m.count && dot(m.normal, out.normal) > rigid_contact_tuning::same_normal)
       out.add(m.points[0].position, m.points[0].distance, m.points[0].feature);
   }
 }

@@ -110,8 +110,8 @@ struct Prepare {
     return a > 0 && b > 0 ? pbd::max(a, b) / pbd::min(a, b) : 1;
   }
   MENISCUS_HD static float least_radius(const ContactPart& a, const ContactPart& b) {
-    if (a.shape.kind == ConvexKind::plane) return bounding_radius(b.shape);
-    if (b.shape.kind == ConvexKind::plane) return bounding_radius(a.shape);
+    if (is_unbounded(a.shape)) return bounding_radius(b.shape);
+    if (is_unbounded(b.shape)) return bounding_radius(a.shape);
     return pbd::min(bounding_radius(a.shape), bounding_radius(b.shape));
   }
 };
@@ -281,15 +281,21 @@ struct Bounce {
 /// Keeps what contacts start from in the next step, in the order of pairs.
 struct KeepMemory {
   View<const SolverContact> contacts;
+  View<const ContactBody> start;
   View<ContactMemory> memory;
   float h;
 
   MENISCUS_HD void operator()(uint32_t k) const {
     const SolverContact& c = contacts[k];
     const Tangents t(c.normal);
-    ContactMemory m{c.b, c.count, {}, {}, {}};
+    ContactMemory m{c.b, c.count, c.normal, {}, {}, {}, {}, {}, {}};
+    // The first part is of a body, as one of both must move.
+    const Vec3 centre = start[c.bodies.a].pose.position;
     for (uint32_t p = 0; p < c.count; ++p) {
       m.feature[p] = c.points[p].feature;
+      m.position[p] = centre + c.points[p].arm_a;
+      m.distance[p] = c.points[p].distance;
+      m.impulse[p] = c.points[p].total;
       m.pressure[p] = c.points[p].pressure / h;
       m.friction[p] = (c.points[p].along / h) * t.u + (c.points[p].across / h) * t.v;
     }

@@ -71,7 +71,7 @@ void fields(V& v, RigidSolverDef& d) {
   v("substeps", d.substeps, between(1, 1000), "", "steps of the bodies in a substep");
   v("iterations", d.iterations, between(1, 10000), "", "solver iterations of each");
   v("solver", d.solver, any_value, "",
-    "what solves contacts among solids: Bullet on one core, or the device, without joints, meshes and sleep");
+    "what solves contacts among solids: Bullet on one core, or the device, without joints and cylinders");
 }
 
 template <class V>

@@ -8,12 +8,13 @@
 #include <fstream>
 
 #include "tests/coupling/body_worlds.h"
+#include "tests/rigid_solvers.h"
 #include "tests/unit/collision/turned_shapes.h"
 
 namespace meniscus::tests {
 namespace {
 
-class ConcaveBodiesTest : public OnDevice {
+class ConcaveBodiesTest : public WithSolver {
  protected:
   static MeshGeometry mesh(const char* name, const collision::TriangleMesh& mesh) {
     const std::string path = (std::filesystem::path(testing::TempDir()) / name).string();
@@ -67,7 +68,7 @@ TEST_P(ConcaveBodiesTest, ARingPassesWhatFitsIntoItsHole) {
   EXPECT_LT(world_.body_state(id).pose.position.y, -2);
 }
 
-MENISCUS_ON_EACH_DEVICE(ConcaveBodiesTest);
+MENISCUS_WITH_EACH_RIGID_SOLVER(ConcaveBodiesTest);
 
 }  // namespace
 }  // namespace meniscus::tests

@@ -7,13 +7,14 @@
 #include <algorithm>
 
 #include "tests/coupling/body_worlds.h"
+#include "tests/rigid_solvers.h"
 
 namespace meniscus::tests {
 namespace {
 
 constexpr float s = 0.04f, dt = 0.016f, gravity = 9.81f, depth = 0.4f;
 
-class FilmTest : public OnDevice {
+class FilmTest : public WithSolver {
  protected:
   /// A tank of 0.8 × 0.8 m, with a hole in its floor this wide, m.
   static ShapeId add_tank(World& world, float hole = 0) {
@@ -194,7 +195,7 @@ TEST_P(FilmTest, ACrateOnACrateIsLiftedToo) {
   EXPECT_NEAR(above, 9810 * 0.16 * 0.16 * 0.12, 0.05 * 9810 * 0.16 * 0.16 * 0.12);
 }
 
-MENISCUS_ON_EACH_DEVICE(FilmTest);
+MENISCUS_WITH_EACH_RIGID_SOLVER(FilmTest);
 
 }  // namespace
 }  // namespace meniscus::tests

@@ -8,13 +8,14 @@
 #include <algorithm>
 
 #include "tests/coupling/body_worlds.h"
+#include "tests/rigid_solvers.h"
 
 namespace meniscus::tests {
 namespace {
 
 constexpr float s = 0.05f, dt = 0.016f, gravity = 9.81f;
 
-class FloatingBodiesTest : public OnDevice {
+class FloatingBodiesTest : public WithSolver {
  protected:
   /// A tank of 0.8 × 0.7 m with water up to `depth`; bodies come first, so that water leaves them room.
   static void add_tank(World& world) { world.create_shape(tank({-0.4f, 0, -0.35f}, {0.4f, 2.5f, 0.35f})); }
@@ -178,7 +179,7 @@ TEST_P(FloatingBodiesTest, APileUnderWaterDoesNotSinkIntoItself) {
   }
 }
 
-MENISCUS_ON_EACH_DEVICE(FloatingBodiesTest);
+MENISCUS_WITH_EACH_RIGID_SOLVER(FloatingBodiesTest);
 
 }  // namespace
 }  // namespace meniscus::tests

@@ -84,8 +84,8 @@ struct DensitySolverDef {
 /// What solves contacts among solids.
 enum class RigidSolver {
   bullet,  ///< Bullet, on one core of the host
-  device,  ///< the device of the world, in small steps. It has boxes, spheres, capsules and planes, also
-           ///< fixed and kinematic ones, but no joints and no sleep: docs/methods/rigid-contacts.md
+  device,  ///< the device of the world, in small steps. It has all solids but cylinders, also fixed and
+           ///< kinematic ones, and no joints: docs/methods/rigid-contacts.md
 };
 
 /// How contacts and joints among solids are solved. With `bullet`, stacks with mass ratios up to 1000 need

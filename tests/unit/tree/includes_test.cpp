@@ -65,7 +65,7 @@ const Edges folders{
     {"collision/mesh", {"collision/mesh/file"}},
     {"collision/sdf", {"collision/mesh"}},
     {"collision/contact", {"collision/mesh", "collision/sdf"}},
-    {"collision/rigid_contact", {}},
+    {"collision/rigid_contact", {"collision/mesh"}},
     {"collision/rigid", {"collision/mesh", "collision/rigid_contact"}},
     {"collision/body", {"collision/contact", "collision/mesh", "collision/rigid", "collision/rigid_contact"}},
     {"collision/film", {"collision/body", "collision/contact", "collision/mesh", "collision/rigid"}},

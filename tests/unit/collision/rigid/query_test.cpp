@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/expect_error.h"
-#include "tests/unit/collision/rigid/scene.h"
+#include "tests/unit/collision/rigid/solvers.h"
 
 namespace meniscus::collision {
 
@@ -155,8 +155,11 @@ TEST(RigidQuery, OverlapsChangeNothing) {
   }
 }
 
-TEST(RigidQuery, ContactsSayWhoPushesWhom) {
-  RigidWorld world({});
+class RigidQueryTest : public OnSolver {};
+MENISCUS_WITH_EACH_SOLVER(RigidQueryTest);
+
+TEST_P(RigidQueryTest, ContactsSayWhoPushesWhom) {
+  SolverWorld world(GetParam());
   const uint32_t ground = world.add_fixed(fixed_solid(plane_part()));
   const uint32_t lower = world.add_body(body_def(box_part({0.2f, 0.2f, 0.2f}), {0, 0.2f, 0}));
   const uint32_t upper = world.add_body(body_def(box_part({0.1f, 0.1f, 0.1f}), {0, 0.5f, 0}));

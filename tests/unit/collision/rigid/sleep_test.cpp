@@ -4,7 +4,7 @@
 // Tests of when rigid bodies fall asleep and wake.
 #include <gtest/gtest.h>
 
-#include "tests/unit/collision/rigid/scene.h"
+#include "tests/unit/collision/rigid/solvers.h"
 
 namespace meniscus::collision {
 
@@ -14,10 +14,10 @@ constexpr float dt = 0.004f, weight = 8 * 9.81f;
 
 /// A cube of 8 kg that a steady push has put to rest in mid-air, as water does.
 struct Afloat {
-  RigidWorld world{RigidWorldDef{}};
+  SolverWorld world;
   uint32_t body = world.add_body(body_def(box_part({0.1f, 0.1f, 0.1f}), {0, 0, 0}));
 
-  Afloat() {
+  explicit Afloat(Solver solver) : world(solver) {
     for (int i = 0; i < 1000 && world.awake(body); ++i) push(weight);
   }
   void push(float force, float torque = 0) {
@@ -27,8 +27,11 @@ struct Afloat {
 
 }  // namespace
 
-TEST(RigidSleep, ABodyThatIsHeldUpFallsAsleep) {
-  Afloat afloat;
+class RigidSleepTest : public OnSolver {};
+MENISCUS_WITH_EACH_SOLVER(RigidSleepTest);
+
+TEST_P(RigidSleepTest, ABodyThatIsHeldUpFallsAsleep) {
+  Afloat afloat(GetParam());
   EXPECT_FALSE(afloat.world.awake(afloat.body));
   std::vector<RigidMotion> motion(1);
   afloat.world.predict(dt, motion);
@@ -39,21 +42,21 @@ TEST(RigidSleep, ABodyThatIsHeldUpFallsAsleep) {
   EXPECT_EQ(afloat.world.pose(afloat.body).position, before.position);
 }
 
-TEST(RigidSleep, AChangeOfThePushWakes) {
+TEST_P(RigidSleepTest, AChangeOfThePushWakes) {
   for (const float share : {0.0f, 0.85f, 1.15f}) {
-    Afloat afloat;
+    Afloat afloat(GetParam());
     afloat.push(share * weight);
     EXPECT_TRUE(afloat.world.awake(afloat.body));
     EXPECT_NEAR(afloat.world.velocity(afloat.body).y, (share - 1) * 9.81f * dt, 2e-3f);
   }
-  Afloat afloat;
+  Afloat afloat(GetParam());
   afloat.push(weight, 0.2f * weight * 0.18f);
   EXPECT_TRUE(afloat.world.awake(afloat.body));
 }
 
-TEST(RigidSleep, SoDoesTheUser) {
-  const auto wakes = [](auto&& call) {
-    Afloat afloat;
+TEST_P(RigidSleepTest, SoDoesTheUser) {
+  const auto wakes = [this](auto&& call) {
+    Afloat afloat(GetParam());
     ASSERT_FALSE(afloat.world.awake(afloat.body));
     call(afloat.world, afloat.body);
     EXPECT_TRUE(afloat.world.awake(afloat.body));
@@ -68,8 +71,8 @@ TEST(RigidSleep, SoDoesTheUser) {
   wakes([](RigidWorld& w, uint32_t b) { w.set_pose(b, {{1, 0, 0}, no_turn}); });
 }
 
-TEST(RigidSleep, AnIslandSleepsAndWakesAsAWhole) {
-  RigidWorld world({});
+TEST_P(RigidSleepTest, AnIslandSleepsAndWakesAsAWhole) {
+  SolverWorld world(GetParam());
   world.add_fixed(fixed_solid(plane_part()));
   for (int i = 0; i < 6; ++i) {
     world.add_body(body_def(box_part({0.1f, 0.1f, 0.1f}), {0.199f * static_cast<float>(i), 0.1f, 0}));
@@ -83,9 +86,9 @@ TEST(RigidSleep, AnIslandSleepsAndWakesAsAWhole) {
   EXPECT_FALSE(world.awake(apart));
 }
 
-TEST(RigidSleep, WhatLosesItsSupportFalls) {
+TEST_P(RigidSleepTest, WhatLosesItsSupportFalls) {
   for (const bool removed : {true, false}) {
-    RigidWorld world({});
+    SolverWorld world(GetParam());
     const uint32_t table = world.add_fixed(fixed_solid(box_part({1, 0.1f, 1}), {{0, -0.1f, 0}, no_turn}));
     const uint32_t lower = world.add_body(body_def(box_part({0.1f, 0.1f, 0.1f}), {0, 0.1f, 0}));
     const uint32_t upper = world.add_body(body_def(box_part({0.1f, 0.1f, 0.1f}), {0, 0.3f, 0}));
@@ -105,8 +108,8 @@ TEST(RigidSleep, WhatLosesItsSupportFalls) {
   }
 }
 
-TEST(RigidSleep, AMovingFloorWakesWhatLiesOnIt) {
-  RigidWorld world({});
+TEST_P(RigidSleepTest, AMovingFloorWakesWhatLiesOnIt) {
+  SolverWorld world(GetParam());
   const uint32_t floor = world.add_body(kinematic_def({box_part({1, 0.1f, 1})}, {{0, -0.1f, 0}, no_turn}));
   const uint32_t box = world.add_body(body_def(box_part({0.1f, 0.1f, 0.1f}), {0, 0.1f, 0}));
   run(world, dt, 1500);
@@ -134,8 +137,8 @@ TEST(RigidSleep, AMovingCarrierWakesWhatHangsFromIt) {
   EXPECT_NEAR(world.pose(load).position.y, 2, 0.02f);
 }
 
-TEST(RigidSleep, WhatDriftsWithoutGravityDriftsOn) {
-  RigidWorld world({.gravity = {0, 0, 0}});
+TEST_P(RigidSleepTest, WhatDriftsWithoutGravityDriftsOn) {
+  SolverWorld world(GetParam(), {.gravity = {0, 0, 0}});
   RigidBodyDef def = body_def(box_part({0.1f, 0.1f, 0.1f}), {0, 0, 0});
   def.velocity = {0.002f, 0, 0};
   def.angular_velocity = {0, 0.01f, 0};
@@ -146,8 +149,8 @@ TEST(RigidSleep, WhatDriftsWithoutGravityDriftsOn) {
   EXPECT_NEAR(2 * world.pose(box).rotation.y, 0.1f, 1e-3f);
 }
 
-TEST(RigidSleep, WhoIsKeptAwakeStaysSo) {
-  Afloat afloat;
+TEST_P(RigidSleepTest, WhoIsKeptAwakeStaysSo) {
+  Afloat afloat(GetParam());
   afloat.world.keep_awake(std::vector{afloat.body});
   EXPECT_TRUE(afloat.world.awake(afloat.body));
   for (int i = 0; i < 1000; ++i) afloat.push(weight);
@@ -157,8 +160,8 @@ TEST(RigidSleep, WhoIsKeptAwakeStaysSo) {
   EXPECT_FALSE(afloat.world.awake(afloat.body));
 }
 
-TEST(RigidSleep, SomeNeverDo) {
-  RigidWorld world({});
+TEST_P(RigidSleepTest, SomeNeverDo) {
+  SolverWorld world(GetParam());
   world.add_fixed(fixed_solid(plane_part()));
   RigidBodyDef def = body_def(box_part({0.1f, 0.1f, 0.1f}), {0, 0.1f, 0});
   def.can_sleep = false;

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "tests/unit/collision/rigid/scene.h"
+#include "tests/unit/collision/rigid/solvers.h"
 
 namespace meniscus::collision {
 
@@ -26,8 +26,19 @@ RigidPart hull_part(Noise& noise, float size) {
   return mesh_part(Kind::hull, hull_mesh(points));
 }
 
+/// The device has no cylinders.
+RigidPart cylinder_part(Solver solver, float radius, float half_height) {
+  if (solver == Solver::bullet) return round_part(Kind::cylinder, radius, half_height);
+  std::vector<Vec3> points;
+  for (int i = 0; i < 24; ++i) {
+    const Vec3 rim = rotate(about({0, 1, 0}, 0.523598776f * static_cast<float>(i / 2)), {radius, 0, 0});
+    points.push_back(rim + Vec3{0, i % 2 ? half_height : -half_height, 0});
+  }
+  return mesh_part(Kind::hull, hull_mesh(points));
+}
+
 /// Bodies of all kinds, `kind` from 0 to 6.
-std::vector<RigidPart> body_parts(int kind, Noise& noise) {
+std::vector<RigidPart> body_parts(Solver solver, int kind, Noise& noise) {
   const float s = 0.05f + 0.05f * noise.next();
   switch (kind) {
     case 0:
@@ -37,12 +48,12 @@ std::vector<RigidPart> body_parts(int kind, Noise& noise) {
     case 2:
       return {round_part(Kind::capsule, 0.6f * s, s)};
     case 3:
-      return {round_part(Kind::cylinder, s, 0.5f * s)};
+      return {cylinder_part(solver, s, 0.5f * s)};
     case 4:
       return {hull_part(noise, s)};
     case 5:  // a hammer
       return {at(box_part({1.5f * s, 0.2f * s, 0.2f * s}), {0, 0, 0}),
-              at(round_part(Kind::cylinder, 0.4f * s, 0.6f * s), {1.2f * s, 0, 0})};
+              at(cylinder_part(solver, 0.4f * s, 0.6f * s), {1.2f * s, 0, 0})};
     default:  // a dumb-bell
       return {at(round_part(Kind::sphere, 0.7f * s), {0, s, 0}),
               at(round_part(Kind::capsule, 0.2f * s, s), {0, 0, 0}),
@@ -90,8 +101,8 @@ void add_joints(RigidWorld& world, uint32_t pusher) {
 }
 
 /// 60 bodies over a bowl in a plane, and a mill that stirs them.
-std::unique_ptr<RigidWorld> make_pile() {
-  auto world = std::make_unique<RigidWorld>(RigidWorldDef{.substeps = 2});
+std::unique_ptr<SolverWorld> make_pile(Solver solver) {
+  auto world = std::make_unique<SolverWorld>(solver, RigidWorldDef{.substeps = 2});
   world->add_fixed(fixed_solid(mesh_part(Kind::mesh, bowl())));
   world->add_fixed(fixed_solid(plane_part({0, 1, 0}, -0.05f)));
   RigidPart field{.kind = Kind::height_field};
@@ -103,7 +114,7 @@ std::unique_ptr<RigidWorld> make_pile() {
     const Vec3 place{0.35f * static_cast<float>(i % 4) - 0.5f, 0.5f + 0.12f * static_cast<float>(i / 4),
                      0.3f * static_cast<float>(i / 4 % 4) - 0.45f};
     RigidBodyDef def =
-        body_def(body_parts(i % 7, noise),
+        body_def(body_parts(solver, i % 7, noise),
                  {place + noise.in_cube(0.05f), about(normalized_or(noise.in_cube(1), {1, 0, 0}), 1)});
     def.velocity = noise.in_cube(2);
     def.solid.restitution = i % 5 == 0 ? 0.6f : 0;
@@ -119,7 +130,8 @@ std::unique_ptr<RigidWorld> make_pile() {
                               {{0, 0.25f, 0}, about({0, 1, 0}, 0.785398163f * static_cast<float>(i))}});
   }
   mill.loop = true;
-  add_joints(*world, world->add_body(mill));
+  const uint32_t pusher = world->add_body(mill);
+  if (solver == Solver::bullet) add_joints(*world, pusher);
   return world;
 }
 
@@ -157,13 +169,19 @@ bool equal(const std::vector<RigidContact>& a, const std::vector<RigidContact>& 
 
 }  // namespace
 
-TEST(RigidDeterminism, TheSameCallsGiveTheSameBits) {
-  const auto a = make_pile(), b = make_pile();
+class RigidDeterminismTest : public OnSolver {};
+MENISCUS_WITH_EACH_SOLVER(RigidDeterminismTest);
+
+TEST_P(RigidDeterminismTest, TheSameCallsGiveTheSameBits) {
+  const auto a = make_pile(GetParam()), b = make_pile(GetParam());
   EXPECT_EQ(run_on(*a, 0, 250), run_on(*b, 0, 250));
 }
 
-TEST(RigidSnapshot, SavingChangesNothing) {
-  const auto a = make_pile(), b = make_pile();
+class RigidSnapshotTest : public OnSolver {};
+MENISCUS_WITH_EACH_SOLVER(RigidSnapshotTest);
+
+TEST_P(RigidSnapshotTest, SavingChangesNothing) {
+  const auto a = make_pile(GetParam()), b = make_pile(GetParam());
   const auto snapshot = RigidWorld::make_snapshot();
   for (int i = 0; i < 200; ++i) {
     a->save(*snapshot);
@@ -173,31 +191,36 @@ TEST(RigidSnapshot, SavingChangesNothing) {
   }
 }
 
-class RigidSnapshotAt : public testing::TestWithParam<int> {};
+class RigidSnapshotAt : public testing::TestWithParam<std::tuple<Solver, int>> {};
 
 TEST_P(RigidSnapshotAt, GoesOnAsBefore) {
-  const auto world = make_pile();
-  run_on(*world, 0, GetParam());
+  const auto [solver, steps] = GetParam();
+  const auto world = make_pile(solver);
+  run_on(*world, 0, steps);
   const auto snapshot = RigidWorld::make_snapshot();
   world->save(*snapshot);
   const uint64_t saved = hash_of(*world);
   const auto contacts = world->contacts();
   const double time = world->time();
-  const auto first = run_on(*world, GetParam(), 120);
+  const auto first = run_on(*world, steps, 120);
   for (int again = 0; again < 2; ++again) {
     world->restore(*snapshot);
     EXPECT_EQ(hash_of(*world), saved);
     EXPECT_EQ(world->time(), time);
     EXPECT_TRUE(equal(world->contacts(), contacts));
-    const auto second = run_on(*world, GetParam(), 120);
+    const auto second = run_on(*world, steps, 120);
     for (size_t i = 0; i < first.size(); ++i) ASSERT_EQ(first[i], second[i]) << "step " << i;
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Steps, RigidSnapshotAt, testing::Values(0, 1, 37, 80, 111, 150, 200, 301, 500));
+INSTANTIATE_TEST_SUITE_P(Steps, RigidSnapshotAt,
+                         testing::Combine(testing::Values(Solver::bullet),
+                                          testing::Values(0, 1, 37, 80, 111, 150, 200, 301, 500)));
+INSTANTIATE_TEST_SUITE_P(OnDevice, RigidSnapshotAt,
+                         testing::Combine(testing::Values(Solver::device), testing::Values(1, 80, 200)));
 
-TEST(RigidSnapshot, EachStepCanBeTakenBack) {
-  const auto a = make_pile(), b = make_pile();
+TEST_P(RigidSnapshotTest, EachStepCanBeTakenBack) {
+  const auto a = make_pile(GetParam()), b = make_pile(GetParam());
   const auto snapshot = RigidWorld::make_snapshot();
   for (int i = 0; i < 150; ++i) {
     a->save(*snapshot);
@@ -210,8 +233,8 @@ TEST(RigidSnapshot, EachStepCanBeTakenBack) {
 }
 
 // Bullet gives back the manifolds of what no longer lies together.
-TEST(RigidSnapshot, WhatWasPutElsewhereBeforeHasNoContactsInIt) {
-  const auto a = make_pile(), b = make_pile();
+TEST_P(RigidSnapshotTest, WhatWasPutElsewhereBeforeHasNoContactsInIt) {
+  const auto a = make_pile(GetParam()), b = make_pile(GetParam());
   const auto snapshot = RigidWorld::make_snapshot();
   for (int i = 0; i < 200; ++i) {
     for (RigidWorld* world : {a.get(), b.get()}) {
@@ -228,8 +251,8 @@ TEST(RigidSnapshot, WhatWasPutElsewhereBeforeHasNoContactsInIt) {
   }
 }
 
-TEST(RigidSnapshot, HoldsWhoSleeps) {
-  RigidWorld world({});
+TEST_P(RigidSnapshotTest, HoldsWhoSleeps) {
+  SolverWorld world(GetParam());
   world.add_fixed(fixed_solid(plane_part()));
   for (int i = 0; i < 5; ++i) {
     world.add_body(

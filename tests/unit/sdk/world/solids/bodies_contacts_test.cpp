@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <map>
 
+#include "tests/rigid_solvers.h"
 #include "tests/unit/sdk/world/solids/body_worlds.h"
 
 namespace meniscus::tests {
@@ -14,7 +15,7 @@ namespace {
 
 constexpr float dt = 0.01f;
 
-class BodyContactsTest : public OnDevice {
+class BodyContactsTest : public WithSolver {
  protected:
   World world_{world_def(GetParam(), 0.05f)};
 
@@ -247,7 +248,7 @@ TEST_P(BodyContactsTest, ContactsDoNotPassToWhatTakesAPlace) {
   for (const ParticleContact& c : world.particle_contacts()) ASSERT_FALSE(c.body == next);
 }
 
-MENISCUS_ON_EACH_DEVICE(BodyContactsTest);
+MENISCUS_WITH_EACH_RIGID_SOLVER(BodyContactsTest);
 
 }  // namespace
 }  // namespace meniscus::tests

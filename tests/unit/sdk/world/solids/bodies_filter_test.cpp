@@ -4,6 +4,7 @@
 // Groups and masks: which objects pass through each other.
 #include <gtest/gtest.h>
 
+#include "tests/rigid_solvers.h"
 #include "tests/unit/sdk/world/solids/body_worlds.h"
 
 namespace meniscus::tests {
@@ -13,7 +14,7 @@ constexpr float dt = 0.01f;
 constexpr CollisionFilter ghost{2, 0xffffffffu};      ///< is of group 2
 constexpr CollisionFilter no_ghosts{1, 0xfffffffdu};  ///< ignores group 2
 
-class BodyFilterTest : public OnDevice {
+class BodyFilterTest : public WithSolver {
  protected:
   World world_{world_def(GetParam(), 0.05f)};
 
@@ -103,8 +104,8 @@ TEST_P(FluidFilterTest, OtherFluidIsHeldByWhatThisOneIgnores) {
   EXPECT_NEAR(world_.positions()[1].y, 0.575f, 0.002f);
 }
 
-MENISCUS_ON_EACH_DEVICE(BodyFilterTest);
-MENISCUS_ON_EACH_DEVICE(FluidFilterTest);
+MENISCUS_WITH_EACH_RIGID_SOLVER(BodyFilterTest);
+MENISCUS_WITH_EACH_RIGID_SOLVER(FluidFilterTest);
 
 }  // namespace
 }  // namespace meniscus::tests

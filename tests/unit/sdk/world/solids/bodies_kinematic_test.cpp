@@ -4,6 +4,7 @@
 // Bodies that follow a given motion, whatever obstacles they meet.
 #include <gtest/gtest.h>
 
+#include "tests/rigid_solvers.h"
 #include "tests/unit/sdk/world/solids/body_worlds.h"
 
 namespace meniscus::tests {
@@ -11,7 +12,7 @@ namespace {
 
 constexpr float dt = 0.01f;
 
-class KinematicBodyTest : public OnDevice {
+class KinematicBodyTest : public WithSolver {
  protected:
   World world_{world_def(GetParam(), 0.05f)};
 
@@ -146,7 +147,7 @@ TEST_P(KinematicBodyTest, ATurnedContainerPoursItsWaterOut) {
   for (Vec3 p : world_.positions()) EXPECT_LT(p.y, -0.5f);
 }
 
-MENISCUS_ON_EACH_DEVICE(KinematicBodyTest);
+MENISCUS_WITH_EACH_RIGID_SOLVER(KinematicBodyTest);
 
 }  // namespace
 }  // namespace meniscus::tests

@@ -4,6 +4,7 @@
 // Forces, impulses, velocities and poses that the user sets; damping and sleep.
 #include <gtest/gtest.h>
 
+#include "tests/rigid_solvers.h"
 #include "tests/unit/sdk/world/solids/body_worlds.h"
 
 namespace meniscus::tests {
@@ -11,7 +12,7 @@ namespace {
 
 constexpr float dt = 0.01f;  // four substeps
 
-class BodyMotionTest : public OnDevice {
+class BodyMotionTest : public WithSolver {
  protected:
   World world_{weightless(GetParam())};
 
@@ -152,7 +153,7 @@ TEST_P(BodyMotionTest, WithoutParticlesTheDeviceMakesNoDifference) {
   EXPECT_EQ(world_.state_hash(), twin.state_hash());
 }
 
-MENISCUS_ON_EACH_DEVICE(BodyMotionTest);
+MENISCUS_WITH_EACH_RIGID_SOLVER(BodyMotionTest);
 
 }  // namespace
 }  // namespace meniscus::tests

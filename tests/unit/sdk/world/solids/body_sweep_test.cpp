@@ -4,6 +4,7 @@
 // Thin bodies that move fast among particles: none may pass through.
 #include <gtest/gtest.h>
 
+#include "tests/rigid_solvers.h"
 #include "tests/unit/sdk/world/solids/body_worlds.h"
 
 namespace meniscus::tests {
@@ -11,7 +12,7 @@ namespace {
 
 constexpr float s = 0.05f, dt = 0.01f;
 
-class BodySweepTest : public OnDevice {
+class BodySweepTest : public WithSolver {
  protected:
   World world_{weightless(GetParam(), s)};
 
@@ -137,7 +138,7 @@ TEST_P(BodySweepTest, APlateThatBouncesOffTakesThoseBehindItBack) {
   EXPECT_TRUE(turned);
 }
 
-MENISCUS_ON_EACH_DEVICE(BodySweepTest);
+MENISCUS_WITH_EACH_RIGID_SOLVER(BodySweepTest);
 
 }  // namespace
 }  // namespace meniscus::tests

@@ -47,8 +47,10 @@ inline ShapeDef open_tank(Vec3 half_extents) {
   return shape(ContainerGeometry{half_extents, {{Face::y_high, {}}}}, {0, half_extents.y, 0});
 }
 
-inline WorldDef weightless(pbd::DeviceKind device, float spacing = 0.05f) {
-  WorldDef def = world_def(device, spacing);
+/// On a device, or a device with a solver.
+template <class Case>
+WorldDef weightless(const Case& which, float spacing = 0.05f) {
+  WorldDef def = world_def(which, spacing);
   def.gravity = {0, 0, 0};
   return def;
 }

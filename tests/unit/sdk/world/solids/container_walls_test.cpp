@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include "tests/rigid_solvers.h"
 #include "tests/unit/collision/mesh_shapes.h"
 #include "tests/unit/sdk/world/solids/body_worlds.h"
 
@@ -110,7 +111,7 @@ TEST(ContainerWallsTest, AHoleAsLargeAsAllItsWallLeavesNothing) {
   EXPECT_EQ(walls.size(), 5u);
 }
 
-class ContainerFallTest : public OnDevice {};
+class ContainerFallTest : public WithSolver {};
 
 // The hole is 0.5 m wide.
 TEST_P(ContainerFallTest, ABallFallsThroughAHoleAndRestsBesideIt) {
@@ -158,7 +159,7 @@ TEST_P(ContainerFallTest, ATurnedContainersHoleIsWhereItsFrameSays) {
   EXPECT_NEAR(world.body_state(beside).pose.position.y, -0.8f, 0.01f);
 }
 
-MENISCUS_ON_EACH_DEVICE(ContainerFallTest);
+MENISCUS_WITH_EACH_RIGID_SOLVER(ContainerFallTest);
 
 }  // namespace
 }  // namespace meniscus::tests
