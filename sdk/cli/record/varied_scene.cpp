@@ -32,6 +32,7 @@ struct Allowed {
 const std::vector<Allowed>& allowed() {
   static const std::vector<Allowed> all{{"world", {"gravity"}},
                                         {"volumes", {"velocity", "region", "pose"}},
+                                        {"cloths", {"pose", "velocity"}},
                                         {"bodies", {"pose", "velocity", "angular_velocity"}}};
   return all;
 }
@@ -76,7 +77,7 @@ void fill_in_vector(nlohmann::json& document, const std::string& path, const std
   const std::size_t bracket = path.rfind('[');
   if (bracket == std::string::npos || path.back() != ']') return;
   const std::string vector = path.substr(0, bracket);
-  if (vector == "volumes" || vector == "bodies") return;
+  if (vector == "volumes" || vector == "cloths" || vector == "bodies") return;
   nlohmann::json& value = value_at(document, vector, option);
   if (!value.is_null()) return;
   const Vec3 gravity = WorldDef().gravity;

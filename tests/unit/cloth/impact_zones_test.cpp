@@ -38,8 +38,9 @@ struct Bench {
     kernel.impact_zones.mark = view(mark);
     kernel.impact_zones.anchor = view(anchor);
     kernel.own_motion = {view(solved), view(fraction)};
-    kernel.taken = {view(ways), view(counters)};
-    kernel.counters = view(counters);
+    kernel.cloth.of_world.vertices = 1;
+    kernel.ways = view(ways);
+    kernel.all_counters = view(counters);
     kernel.round = round;
     kernel(0);
   }

@@ -84,6 +84,21 @@ TEST_F(WorldsTest, BodiesAndFluidStartWhereTheyAreTold) {
   EXPECT_NE(rows[0].at("crate_y_m"), rows[1].at("crate_y_m"));
 }
 
+TEST_F(WorldsTest, ClothIsThatOfARunOfItsOwn) {
+  const std::vector<std::string> small{"cloths[0].geometry.columns=13", "cloths[0].geometry.rows=9",
+                                       "frames=4"};
+  std::vector<std::string> more{"--vary", "world.gravity[0]=-2:2"};
+  for (const std::string& setting : small) more.insert(more.end(), {"--set", setting});
+  const nlohmann::json figures = worlds("flag", "2", more);
+  EXPECT_EQ(figures.at("cloth_vertices"), 13 * 9);
+  for (const auto& row : table()) {
+    std::vector<std::string> own = small;
+    own.push_back("world.gravity=[" + row.at("world.gravity[0]") + ",-9.81,0]");
+    EXPECT_EQ(row.at("state_hash"), alone("flag", own));
+    EXPECT_NEAR(std::stod(row.at("cloth_y_m")), 2, 0.1);
+  }
+}
+
 TEST_F(WorldsTest, RefusesWhatIsTheSameInAllWorlds) {
   EXPECT_TRUE(
       refuses({"--worlds", "2", "--vary", "world.iterations=1:4"}, "world.iterations.*same in all worlds"));
