@@ -152,7 +152,7 @@ std::span<const Vec3> WorldBatch::cloth_positions() const {
   return impl_->run(
       [&] {
         impl_->read_vertices();
-        return std::span<const Vec3>(*impl_->vertex_positions.values);
+        return std::span<const Vec3>(impl_->vertex_positions.array->values);
       },
       "cloth_positions");
 }
@@ -161,7 +161,7 @@ std::span<const Vec3> WorldBatch::cloth_velocities() const {
   return impl_->run(
       [&] {
         impl_->read_vertices();
-        return std::span<const Vec3>(*impl_->vertex_velocities.values);
+        return std::span<const Vec3>(impl_->vertex_velocities.array->values);
       },
       "cloth_velocities");
 }
