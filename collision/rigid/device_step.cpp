@@ -170,7 +170,10 @@ std::vector<RigidContact> RigidWorld::Impl::contacts_on_device() const {
   const auto add = [&](const SavedContact& c) {
     const RigidRef a = solid_of_key(c.key_a), b = solid_of_key(c.key_b);
     if (is_removed(a) || is_removed(b)) return;
-    all.push_back({a, b, c.position - 0.5f * c.distance * c.normal, c.normal, c.distance, c.impulse});
+    const bool turned = !a.is_body;  // a small fixed part may come before a large one of a body
+    const Vec3 n = turned ? -c.normal : c.normal;
+    all.push_back(
+        {turned ? b : a, turned ? a : b, c.position - 0.5f * c.distance * n, n, c.distance, c.impulse});
   };
   std::ranges::for_each(contacts->save(), add);
   std::ranges::for_each(resting, add);

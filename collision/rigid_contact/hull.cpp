@@ -50,6 +50,7 @@ TriangleMesh reduced(const std::vector<Vec3>& points, float& error) {
     const auto further = [d](Vec3 a, Vec3 b) { return dot(d, a) < dot(d, b); };
     kept.push_back(*std::ranges::max_element(points, further));
   }
+  size_t before = 0;
   while (true) {
     const std::optional<TriangleMesh> hull = find_hull(kept);
     if (!hull) {  // the first few may lie in a plane
@@ -63,7 +64,10 @@ TriangleMesh reduced(const std::vector<Vec3>& points, float& error) {
     const auto nearer = [&](Vec3 a, Vec3 b) { return beyond(planes, a) < beyond(planes, b); };
     const Vec3 next = *std::ranges::max_element(points, nearer);
     error = std::max(0.0f, beyond(planes, next));
-    if (hull->vertices.size() >= most_hull_vertices || error == 0) return *hull;
+    // What lies outside by rounding alone may not become a vertex.
+    const bool grows = hull->vertices.size() > before;
+    before = hull->vertices.size();
+    if (before >= most_hull_vertices || error == 0 || !grows) return *hull;
     kept = hull->vertices;
     kept.push_back(next);
   }

@@ -289,11 +289,11 @@ struct KeepMemory {
     const SolverContact& c = contacts[k];
     const Tangents t(c.normal);
     ContactMemory m{c.b, c.count, c.normal, {}, {}, {}, {}, {}, {}};
-    // The first part is of a body, as one of both must move.
-    const Vec3 centre = start[c.bodies.a].pose.position;
+    const bool has_a = c.bodies.a != pbd::no_index;  // one of both has a body
+    const Vec3 centre = start[has_a ? c.bodies.a : c.bodies.b].pose.position;
     for (uint32_t p = 0; p < c.count; ++p) {
       m.feature[p] = c.points[p].feature;
-      m.position[p] = centre + c.points[p].arm_a;
+      m.position[p] = centre + (has_a ? c.points[p].arm_a : c.points[p].arm_b);
       m.distance[p] = c.points[p].distance;
       m.impulse[p] = c.points[p].total;
       m.pressure[p] = c.points[p].pressure / h;

@@ -8,7 +8,6 @@
 #include <algorithm>
 
 #include "tests/coupling/body_worlds.h"
-#include "tests/rigid_solvers.h"
 
 namespace meniscus::tests {
 namespace {
@@ -44,7 +43,7 @@ const CompoundGeometry anvil{{part(BoxGeometry{{0.2f, 0.05f, 0.2f}}, {0, -0.1f, 
 
 const Geometry bodies[] = {BoxGeometry{{0.2f, 0.15f, 0.25f}}, SphereGeometry{0.25f}, anvil};
 
-class BodyExchangeTest : public WithSolver {
+class BodyExchangeTest : public OnDevice {
  protected:
   /// The largest drift of the total momentum, as a fraction of Σ m · speed, in 200 steps.
   static double linear_drift(Meeting& scene) {
@@ -134,7 +133,7 @@ TEST_P(BodyExchangeTest, WhatTheParticlesGetTheBodyGives) {
   }
 }
 
-MENISCUS_WITH_EACH_RIGID_SOLVER(BodyExchangeTest);
+MENISCUS_ON_EACH_DEVICE(BodyExchangeTest);
 
 }  // namespace
 }  // namespace meniscus::tests

@@ -189,6 +189,25 @@ TEST_P(RigidQueryTest, ContactsSayWhoPushesWhom) {
   EXPECT_FALSE(touches[1].b.is_body);
 }
 
+// The large body has the smaller number, and is in no grid.
+TEST_P(RigidQueryTest, ALargeBodyOnASmallSolidIsTheFirst) {
+  SolverWorld world(GetParam());
+  for (const float x : {-0.3f, 0.0f, 0.3f}) {
+    const Pose at{{x, 0, x == 0 ? 0.2f : -0.2f}, no_turn};
+    world.add_fixed(fixed_solid(box_part({0.02f, 0.02f, 0.02f}), at));
+  }
+  world.add_body(body_def(box_part({1, 0.05f, 1}), {0, 0.07f, 0}));
+  run(world, dt, 50);
+  ASSERT_FALSE(world.contacts().empty());
+  for (const RigidContact& contact : world.contacts()) {
+    EXPECT_TRUE(contact.a.is_body);
+    EXPECT_FALSE(contact.b.is_body);
+    EXPECT_GT(contact.normal.y, 0.999f);
+    EXPECT_NEAR(contact.point.y, 0.02f, 0.002f);
+    EXPECT_LT(std::fabs(contact.point.x), 0.33f);
+  }
+}
+
 TEST(RigidQuery, AFlatHullIsAnError) {
   RigidWorld world({});
   TriangleMesh flat;
