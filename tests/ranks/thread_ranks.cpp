@@ -14,6 +14,8 @@
 #include <mutex>
 #include <utility>
 
+#include "tests/ranks/gpu_copies.h"
+
 namespace meniscus::tests {
 
 namespace {
@@ -80,6 +82,8 @@ class ThreadRank final : public Ranks {
       std::memcpy(r.data, message.data(), r.bytes);
     }
   }
+  void exchange_on_gpu(std::span<const Sent> sent, std::span<const Received> received, void* stream) override;
+  void use_gpu(int) override {}
   void gather_everywhere(std::span<const std::byte> own, std::span<std::byte> all) override;
   void transpose(std::span<const uint32_t> out, std::span<uint32_t> in) override;
   void add_up(std::span<uint64_t> values) override;
@@ -90,6 +94,26 @@ class ThreadRank final : public Ranks {
   std::shared_ptr<PostOffice> office_;
   int rank_, count_;
 };
+
+void ThreadRank::exchange_on_gpu(std::span<const Sent> sent, std::span<const Received> received,
+                                 void* stream) {
+  std::deque<std::vector<std::byte>> memory;
+  std::vector<Sent> from_host;
+  std::vector<Received> to_host;
+  for (const Sent& s : sent) {
+    memory.emplace_back(s.bytes);
+    if (s.bytes) copy_from_gpu(memory.back().data(), s.data, s.bytes, stream);
+    from_host.push_back({s.to, memory.back().data(), s.bytes});
+  }
+  for (const Received& r : received) {
+    memory.emplace_back(r.bytes);
+    to_host.push_back({r.from, memory.back().data(), r.bytes});
+  }
+  exchange(from_host, to_host);
+  for (size_t k = 0; k < received.size(); ++k) {
+    if (received[k].bytes) copy_to_gpu(received[k].data, to_host[k].data, received[k].bytes, stream);
+  }
+}
 
 // Calls of all ranks are made of messages between two.
 
