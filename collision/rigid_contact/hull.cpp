@@ -150,7 +150,7 @@ void add_face(ContactHull& hull, Loop loop) {
   const auto further = [&](uint32_t a, uint32_t b) {
     return dot(normal, hull.vertices[a]) < dot(normal, hull.vertices[b]);
   };
-  std::ranges::rotate(loop, std::ranges::max_element(loop, further));
+  std::rotate(loop.begin(), std::ranges::max_element(loop, further), loop.end());
   hull.faces.push_back(
       {normal, static_cast<uint32_t>(hull.corners.size()), static_cast<uint32_t>(loop.size())});
   hull.corners.insert(hull.corners.end(), loop.begin(), loop.end());

@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <type_traits>
 #include <utility>
 
 #include "cloth/build/topology.h"
@@ -236,7 +237,8 @@ struct Layer {
 
   SolveChains solver(ChainStage stage) {
     const auto view = [](auto& values) {
-      return pbd::View{values.data(), static_cast<uint32_t>(values.size())};
+      using T = std::remove_pointer_t<decltype(values.data())>;
+      return pbd::View<T>{values.data(), static_cast<uint32_t>(values.size())};
     };
     SolveChains solve{.chains = view(std::as_const(chains)),
                       .edges = view(std::as_const(edges)),

@@ -14,12 +14,12 @@
 namespace meniscus::cloth {
 
 template <class T>
-auto view_of(std::vector<T>& values) {
-  return pbd::View{values.data(), static_cast<uint32_t>(values.size())};
+pbd::View<T> view_of(std::vector<T>& values) {
+  return {values.data(), static_cast<uint32_t>(values.size())};
 }
 template <class T>
-auto view_of(const std::vector<T>& values) {
-  return pbd::View{values.data(), static_cast<uint32_t>(values.size())};
+pbd::View<const T> view_of(const std::vector<T>& values) {
+  return {values.data(), static_cast<uint32_t>(values.size())};
 }
 
 /// A crumpled mesh's vertices, of two pieces with damping of their own, some of them held.

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <meniscus/error.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -104,10 +105,9 @@ TEST_F(MeshFile, TrianglesHaveTheColoursOfTheirMaterials) {
   ASSERT_EQ(cube.mesh.triangles.size(), 12u);
   ASSERT_EQ(cube.colors.size(), 12u);
   for (std::size_t i = 0; i < 12; ++i) {
-    const auto& [a, b, c] = cube.mesh.triangles[i];
     const auto lies_at = [&](float Vec3::*axis, float at) {
-      return cube.mesh.vertices[a].*axis == at && cube.mesh.vertices[b].*axis == at &&
-             cube.mesh.vertices[c].*axis == at;
+      return std::ranges::all_of(cube.mesh.triangles[i],
+                                 [&](uint32_t v) { return cube.mesh.vertices[v].*axis == at; });
     };
     const bool is_red = lies_at(&Vec3::y, 0) || lies_at(&Vec3::x, 1);
     EXPECT_EQ(cube.colors[i], (is_red ? Vec3{0.8f, 0.1f, 0.05f} : Vec3{0.1f, 1, 0.2f}))
