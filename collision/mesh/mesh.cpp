@@ -121,7 +121,7 @@ PaintedMesh load_painted_mesh(const MeshSource& source) {
   const PaintedMesh soup = read_triangles(source);
   CleanedMesh clean = cleaned(soup.mesh, source);
   PaintedMesh painted{std::move(clean.mesh), {}};
-  for (const uint32_t source : clean.sources) painted.colors.push_back(soup.colors[source]);
+  for (const uint32_t triangle : clean.sources) painted.colors.push_back(soup.colors[triangle]);
   for (size_t t = 0; !soup.texture.empty() && t < clean.sources.size(); ++t)
     painted.texture.push_back(texture_in_order(painted.mesh, t, soup, clean.sources[t]));
   return painted;

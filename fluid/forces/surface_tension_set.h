@@ -31,7 +31,7 @@ class SurfaceTensionSet final : public pbd::ConstraintSet<D> {
   void reserve(uint32_t capacity, uint32_t kept) override;
 
  private:
-  void make_room();
+  void make_room() override;
 
   D& device_;
   Kernel kernel_;

@@ -72,7 +72,7 @@ class ViscositySet final : public pbd::ConstraintSet<D> {
   viscosity_kernels::Vertices vertices_of(const pbd::Substep<D>& substep);
   void write_slip();
   uint32_t most_iterations(double stiffness) const;
-  void make_room();
+  void make_room() override;
 
   D& device_;
   Kernel kernel_;

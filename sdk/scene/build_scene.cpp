@@ -111,7 +111,7 @@ void expect_closed(const SceneCheck& check, const Scene& scene, const BuiltScene
 
 BuiltScene build(const Scene& scene) {
   check_scene(scene);
-  BuiltScene built{World(scene.world), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
+  BuiltScene built{World(scene.world), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
   for_each_item("fluids", scene.fluids,
                 [&](const FluidDef& def) { built.fluids.push_back(built.world.create_fluid(def)); });
   for_each_item("granulars", scene.granulars,

@@ -68,7 +68,7 @@ std::vector<Vec3> choose_points(const FreeCells& c, float spacing) {
 /// The push of all that is not free, at the centres of cells.
 class Surroundings {
  public:
-  Surroundings(const FreeCells& cells, float spacing) : c_(cells), spacing_(spacing), push_(cells.is.size()) {
+  Surroundings(const FreeCells& cells, float spacing) : c_(cells), push_(cells.is.size()) {
     std::vector<Offset> near;
     for (int k = -reach; k <= reach; ++k) {
       for (int j = -reach; j <= reach; ++j) {
@@ -135,7 +135,6 @@ class Surroundings {
   }
 
   const FreeCells& c_;
-  float spacing_;
   std::vector<Vec3> push_;  // in spacings
 };
 

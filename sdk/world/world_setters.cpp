@@ -172,18 +172,18 @@ void World::Calls::set_velocities(std::span<const ParticleId> ids, std::span<con
 // ---- cloth and ropes ----
 
 /// The next use uploads all cloth, which then starts afresh.
-void World::Impl::place_vertices(VertexRange& range, std::span<const Vec3> positions) {
+void World::Impl::place_vertices(VertexRange& range, std::span<const Vec3> places) {
   cloth_changed();
-  std::ranges::copy(positions, range.state.positions.begin());
+  std::ranges::copy(places, range.state.positions.begin());
   range.placed = true;
 }
 
 /// The device keeps held vertices at rest.
-void World::Impl::set_vertex_velocities(VertexRange& range, std::span<const Vec3> velocities) {
+void World::Impl::set_vertex_velocities(VertexRange& range, std::span<const Vec3> changed) {
   with_all();
   fetch_cloth();
   cloth_is_on_host = false;
-  std::ranges::copy(velocities, range.state.velocities.begin());
+  std::ranges::copy(changed, range.state.velocities.begin());
   weigh(range);
 }
 

@@ -10,7 +10,7 @@ namespace meniscus::collision {
 
 namespace {
 
-constexpr float dt = 0.004f, pi = 3.14159265f;
+constexpr float dt = 0.004f;
 
 float angle_between(Quat a, Quat b) {
   const Quat turn = b * conjugate(a);

@@ -55,7 +55,7 @@ TEST_P(RigidSleepTest, AChangeOfThePushWakes) {
 }
 
 TEST_P(RigidSleepTest, SoDoesTheUser) {
-  const auto wakes = [this](auto&& call) {
+  const auto wakes = [](auto&& call) {
     Afloat afloat(GetParam());
     ASSERT_FALSE(afloat.world.awake(afloat.body));
     call(afloat.world, afloat.body);

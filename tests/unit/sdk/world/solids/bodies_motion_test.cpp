@@ -22,7 +22,7 @@ class BodyMotionTest : public WithSolver {
     def.density = 1000;
     return world_.create_body(def);
   }
-  static constexpr float cube_mass = 8, cube_inertia = 8 * 0.04f / 6;
+  static constexpr float cube_inertia = 8 * 0.04f / 6;  // of 8 kg
 };
 
 TEST_P(BodyMotionTest, ABodyFallsAsFarAsGalileoSays) {
