@@ -16,9 +16,10 @@ btVector3 all(float x) {
   return {x, x, x};
 }
 
+/// So is what is not a number.
 bool is_outside(const btVector3& lower, const btVector3& upper) {
   for (int axis = 0; axis < 3; ++axis) {
-    if (upper[axis] < -RigidBroadphase::reach || lower[axis] > RigidBroadphase::reach) return true;
+    if (!(upper[axis] >= -RigidBroadphase::reach && lower[axis] <= RigidBroadphase::reach)) return true;
   }
   return false;
 }
@@ -47,8 +48,10 @@ btBroadphaseProxy* RigidBroadphase::createProxy(const btVector3& lower, const bt
                                                 int shape_type, void* owner, int group, int mask,
                                                 btDispatcher* dispatcher) {
   if (m_firstFreeHandle == 0) grow();
-  btBroadphaseProxy* made =
-      bt32BitAxisSweep3::createProxy(lower, upper, shape_type, owner, group, mask, dispatcher);
+  const bool inside = !is_outside(lower, upper);
+  const btVector3 corner = all(-reach);
+  btBroadphaseProxy* made = bt32BitAxisSweep3::createProxy(
+      inside ? lower : corner, inside ? upper : corner, shape_type, owner, group, mask, dispatcher);
   setAabb(made, lower, upper, dispatcher);
   return made;
 }

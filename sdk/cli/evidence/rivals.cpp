@@ -40,23 +40,28 @@ RunRequest request_of(const Scene& chosen, DensitySolver solver, double seconds,
   return request;
 }
 
+enum class Measures { each_frame, the_last };
+
 RunFigures run_with(Scene chosen, DensitySolver solver, double seconds, double error, int iterations,
-                    RunBudget& budget) {
+                    Measures measures, RunBudget& budget) {
   chosen.world.iterations = iterations;
-  return run_figures(request_of(chosen, solver, seconds, error), budget);
+  RunRequest request = request_of(chosen, solver, seconds, error);
+  request.measured = measures == Measures::each_frame;
+  return run_figures(request, budget);
 }
 
 /// Contacts are solved in as many iterations as are allowed. So a first run finds how many the solver needs,
 /// and a second one is timed.
 RunFigures timed_run(const Scene& chosen, DensitySolver solver, double seconds, double error,
                      RunBudget& budget) {
-  if (solver == DensitySolver::wcsph)
-    return run_with(chosen, solver, seconds, error, chosen.world.iterations, budget);
-  const RunFigures trial = run_with(chosen, solver, seconds, error, most_rival_iterations, budget);
+  const auto run = [&](int iterations, Measures measures) {
+    return run_with(chosen, solver, seconds, error, iterations, measures, budget);
+  };
+  if (solver == DensitySolver::wcsph) return run(chosen.world.iterations, Measures::each_frame);
+  const RunFigures trial = run(most_rival_iterations, Measures::the_last);
   if (!trial.failure.empty()) return trial;
   const int needed = static_cast<int>(std::ceil(largest_of(trial.iterations))) + 1;
-  return run_with(chosen, solver, seconds, error, std::clamp(needed, least_iterations, most_rival_iterations),
-                  budget);
+  return run(std::clamp(needed, least_iterations, most_rival_iterations), Measures::each_frame);
 }
 
 Rival rival_of(const RunFigures& run, const Scene& scene, const char* solver, double target) {

@@ -13,12 +13,19 @@
 #define MENISCUS_C_API
 #endif
 
+/// C may pass any int as an enum. In C++ the type must allow that.
+#ifdef __cplusplus
+#define MENISCUS_C_ENUM(name) enum name : int
+#else
+#define MENISCUS_C_ENUM(name) enum name
+#endif
+
 #ifdef __cplusplus
 extern "C" {
 #endif
 
 /// How a call ended. The codes are those of meniscus::ErrorCode.
-typedef enum MeniscusStatus {
+typedef MENISCUS_C_ENUM(MeniscusStatus) {
   MENISCUS_OK = 0,
   MENISCUS_INVALID_ARGUMENT = 1,  ///< a value that the call does not allow, or a null pointer
   MENISCUS_NOT_FOUND = 2,         ///< an id, a path or a name that does not exist
@@ -57,7 +64,7 @@ typedef struct MeniscusFilter {
 } MeniscusFilter;
 
 /// The kinds of objects that ids name.
-typedef enum MeniscusKind {
+typedef MENISCUS_C_ENUM(MeniscusKind) {
   MENISCUS_NONE = 0,
   MENISCUS_FLUID = 1,  ///< a fluid or a granular material
   MENISCUS_SHAPE = 2,

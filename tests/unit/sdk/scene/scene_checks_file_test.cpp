@@ -18,7 +18,7 @@ nlohmann::json scene_with(const char* check) {
     "cloths": [{"name": "sail", "geometry": {"type": "sheet"}}],
     "probes": [{"type": "point_pressure", "name": "deep", "point": [0, 0, 0]}]
   })");
-  document["checks"] = {nlohmann::json::parse(check)};
+  document["checks"] = nlohmann::json::array({nlohmann::json::parse(check)});
   return document;
 }
 

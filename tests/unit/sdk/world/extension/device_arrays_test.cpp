@@ -26,7 +26,7 @@ struct DLTestTensor {
 struct DLTestManagedTensor {
   DLTestTensor tensor;
   void* manager;
-  void (*deleter)(DLTestManagedTensor*);
+  void (*deleter)(DLManagedTensor*);
 };
 
 namespace meniscus::tests {
@@ -90,8 +90,10 @@ TEST_P(DeviceArraysTest, BecomeTensorsOfDlpack) {
   std::optional<World> world = dam_break(GetParam(), 0.1f);
   std::optional<DeviceArrays> arrays = world->device_arrays();
   const std::vector<Vec3> positions = on_host<Vec3>(arrays->positions);
-  auto* const tensor = reinterpret_cast<DLTestManagedTensor*>(to_dlpack(arrays->positions));
-  auto* const ids = reinterpret_cast<DLTestManagedTensor*>(to_dlpack(arrays->ids));
+  DLManagedTensor* const managed = to_dlpack(arrays->positions);
+  DLManagedTensor* const managed_ids = to_dlpack(arrays->ids);
+  const auto* const tensor = reinterpret_cast<const DLTestManagedTensor*>(managed);
+  const auto* const ids = reinterpret_cast<const DLTestManagedTensor*>(managed_ids);
   EXPECT_EQ(tensor->tensor.device_type, GetParam() == pbd::DeviceKind::cuda ? 2 : 1);
   EXPECT_EQ(tensor->tensor.ndim, 2);
   EXPECT_EQ(tensor->tensor.shape[0], int64_t(positions.size()));
@@ -103,14 +105,14 @@ TEST_P(DeviceArraysTest, BecomeTensorsOfDlpack) {
   EXPECT_EQ(ids->tensor.ndim, 1);
   EXPECT_EQ(ids->tensor.code, 1);  // kDLUInt
   EXPECT_EQ(ids->tensor.bits, 64);
-  ids->deleter(ids);
+  ids->deleter(managed_ids);
   DeviceArray seen = arrays->positions;
   seen.memory.reset();
   seen.stream = nullptr;
   arrays.reset();
   world.reset();
   EXPECT_EQ(on_host<Vec3>(seen), positions) << "the tensor holds the memory";
-  tensor->deleter(tensor);
+  tensor->deleter(managed);
 }
 
 TEST_P(DeviceArraysTest, SayInDlpackThatTheyAreReadOnly) {
