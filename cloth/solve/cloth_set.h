@@ -56,6 +56,9 @@ class ClothSet final : public pbd::ConstraintSet<D>, public pbd::Observer<D> {
   /// Sets all cloth of the world, or of each world of a batch. Multipliers start from 0.
   void set_model(const ClothModel& model, uint32_t worlds = 1);
   void set_wind(const Wind& wind) { wind_ = wind; }
+  /// s, of the substep that left its multipliers; 0: there was none.
+  float last_substep() const { return last_dt_; }
+  void set_last_substep(float seconds) { last_dt_ = seconds; }
 
   bool prepares() const override;
   void prepare(pbd::Substep<D>& substep) override;
@@ -186,7 +189,6 @@ class ClothSet final : public pbd::ConstraintSet<D>, public pbd::Observer<D> {
   // Of a batch.
   bool in_batch_ = false;
   load_kernels::WorldClock kept_clock_{};
-  float kept_last_dt_ = 0;  // s
   pbd::Buffer<load_kernels::WorldClock> clocks_{device_, "cloth clocks"},
       saved_clocks_{device_, "cloth clocks"}, kept_clocks_{device_, "cloth clocks"};
   pbd::Buffer<uint32_t> edge_places_{device_, "edges by world"};  // empty: in the order of worlds

@@ -82,14 +82,11 @@ void ClothSet<D>::keep_world(uint32_t) {
                first_chain_edge_ * sizeof(Vec4));
   device_.parallel_for("cloth/keep chains", static_cast<uint32_t>(kept_chain_multiplier_.size()),
                        KeepMultipliers{chain_multiplier(), kept_chain_multiplier_.view()});
-  kept_last_dt_ = last_dt_;
 }
 
-/// The steps of all worlds are as long.
 template <class D>
 void ClothSet<D>::reset_worlds(const pbd::ChosenWorlds& worlds) {
   if (vertex_count_ == 0) return;
-  if (last_dt_ == 0) last_dt_ = kept_last_dt_;
   write_multipliers(worlds.chosen, kept_edge_multiplier_.view(), kept_chain_multiplier_.view(),
                     pbd::WorldsFrom::one);
   pbd::write_worlds(device_, "cloth/reset clocks", {worlds.chosen, 1, static_cast<uint32_t>(clocks_.size())},
@@ -123,7 +120,7 @@ void ClothSet<D>::write_multipliers(View<const uint32_t> chosen, View<const Vec4
       WriteChains{{chosen, chain_edges / worlds_, chain_edges}, chains, chain_multiplier(), kind});
 }
 
-/// Wind, and what bending has resolved, are of all worlds.
+/// Wind, and what bending has resolved, are of all worlds. So is the last substep, for the moment.
 template <class D>
 void ClothSet<D>::visit_world(pbd::StateVisitor& v, uint32_t world) {
   load_kernels::WorldClock clock{};

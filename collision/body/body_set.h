@@ -53,6 +53,7 @@ class BodySet final : public pbd::ConstraintSet<D> {
   void set_shapes(std::span<const CarriedShape> carried, pbd::View<Shape> shapes);
   /// The rigid worlds. In a batch, call set_shapes() after there are many.
   RigidWorlds& worlds() { return worlds_; }
+  const RigidWorlds& worlds() const { return worlds_; }
   /// Gives these worlds of a batch, by world ≠ 0, the rigid state and the forces of make_many().
   void reset_bodies(std::span<const uint32_t> chosen);
   /// Gives them those before the last step.
@@ -126,9 +127,10 @@ class BodySet final : public pbd::ConstraintSet<D> {
   template <class Back, class From>
   void take_back(std::span<const uint32_t> chosen, const Back& back, const From& from);
   void begin_rigid_step(float dt);
+  void finish_rigid_step(float dt, bool is_last);
   template <class F>
   void time_rigid(const F& step);
-  float furthest_motion() const;
+  float furthest_motion(uint32_t first, uint32_t end) const;
 
   D& device_;
   RigidWorld& world_;  // the one world
@@ -139,6 +141,7 @@ class BodySet final : public pbd::ConstraintSet<D> {
   std::vector<float> reach_;  // m, from each body's centre to its outermost point
   std::vector<RigidImpulse> sums_, mean_forces_, mean_forces_before_;
   std::vector<RigidImpulse> kept_forces_;  // of one world of a batch, as it was made
+  std::vector<float> furthest_;            // m, by world: see furthest_motion()
   float step_time_ = 0;                    // s, of the substeps so far
   double step_ms_ = 0;
   float ahead_ = -1;                    // s: the time for which motion_ is predicted; -1: none

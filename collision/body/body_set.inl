@@ -209,15 +209,28 @@ void BodySet<D>::exchange(pbd::Substep<D>& substep) {
     sums_[b].linear += impulse.linear;
     sums_[b].angular += impulse.angular;
   }
-  time_rigid([&] { worlds_.finish_step(substep.dt, impulses); });
+  finish_rigid_step(substep.dt, substep.is_last);
   const bool is_asked_for_touches = !world_.is_on_device() && !worlds_.are_many();
   if (substep.is_last && is_asked_for_touches) side_.run([this] { world_.touches(); });
-  worlds_.check_finite();
-  worlds_.predict(0, arrived_.host());
   place_bodies("bodies/arrive", body_kernels::Arrive{arrived_.view(), proxies_.view()});
   const pbd::ParticleView& p = substep.particles;
   contacts_.limit_beside_moving({p.previous, p.position, {}, p.phase, p.owned, p.sorted}, substep.contacts,
-                                furthest_motion());
+                                *std::ranges::max_element(furthest_));
+}
+
+/// Advances the rigid worlds. Then the motions of the next substep are known as well, if the step has one.
+template <class D>
+void BodySet<D>::finish_rigid_step(float dt, bool is_last) {
+  const bool goes_on = !is_last && !world_.is_on_device();
+  const uint32_t each = worlds_.each();
+  furthest_.resize(worlds_.count());
+  time_rigid([&] {
+    worlds_.finish_step(dt, impulses_.host(), arrived_.host(), [&](uint32_t first, uint32_t end) {
+      furthest_[first / each] = furthest_motion(first, end);
+      if (goes_on) worlds_.predict_world(first / each, dt, motion_.host());
+    });
+  });
+  if (goes_on) ahead_ = dt;
 }
 
 template <class D>
@@ -228,11 +241,11 @@ void BodySet<D>::time_rigid(const F& step) {
   step_ms_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// The path length of the outermost point of any body in the present substep, or more.
+/// m: the path length of the outermost point of these bodies in the present substep, or more.
 template <class D>
-float BodySet<D>::furthest_motion() const {
+float BodySet<D>::furthest_motion(uint32_t first, uint32_t end) const {
   float furthest = 0;
-  for (uint32_t b = 0; b < bodies_; ++b) {
+  for (uint32_t b = first; b < end; ++b) {
     const Pose& from = motion_.host()[b].start;
     const Pose& to = arrived_.host()[b].start;
     const Quat turn = to.rotation * conjugate(from.rotation);

@@ -4,6 +4,9 @@
 // The fail-safe between bodies and cloth: impact zones in which a body is one rigid member.
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "collision/body/body_set.h"
 #include "collision/body/body_zones_move.h"
 
@@ -32,11 +35,18 @@ class BodyZones final : public pbd::ConstraintSet<D> {
     needed_.resize_discard(1);
   }
 
-  /// Sets all faces, on the device and the host, and the number of pieces of cloth. The view must stay valid
-  /// until the next call.
+  /// Sets all faces on the device, those of one world on the host, and the number of its pieces of cloth. The
+  /// view must stay valid until the next call.
   void set_surface(const pbd::SurfaceView& surface, std::span<const pbd::SurfaceTriangle> triangles,
-                   std::span<const Vec3> rest, size_t pieces);
+                   std::span<const Vec3> rest, size_t pieces, uint32_t worlds = 1);
 
+  /// Whether steps may need more substeps than others.
+  bool may_need_substeps() const { return surface_.triangles.count > 0 && shapes_.any_moving(); }
+  /// By world, for a step that starts in this state. Call it after BodySet::speed().
+  std::span<const uint32_t> least_substeps_by_world(float dt, const pbd::ParticleView& start);
+  /// The number of substeps for a world that needs so many, of which `chosen` is the least.
+  static int in_range(uint32_t needed, int chosen);
+  /// The most of all worlds that step.
   int least_substeps(float dt, int chosen, const pbd::ParticleView& start) override;
   void save() override;
   void start_step() override { found_.host()[0] = 0; }
@@ -60,7 +70,7 @@ class BodyZones final : public pbd::ConstraintSet<D> {
   ShapeContacts<D>& shapes_;
   BodySet<D>& bodies_;
   pbd::SurfaceView surface_;
-  uint32_t vertices_ = 0, pieces_ = 0;
+  uint32_t vertices_ = 0, pieces_ = 0, worlds_ = 1;
   bool active_ = false;  // whether zones are in use; else faces are only tested
   bool moves_ = false;   // whether the substep is one of a step
   uint32_t idle_ = 0;    // consecutive steps that needed no zone

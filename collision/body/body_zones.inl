@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "collision/body/body_zones.h"
+#include "pbd/repeated.h"
 
 namespace meniscus::collision {
 
@@ -28,29 +29,44 @@ inline std::vector<float> sizes_of(std::span<const pbd::SurfaceTriangle> triangl
 template <class D>
 void BodyZones<D>::set_surface(const pbd::SurfaceView& surface,
                                std::span<const pbd::SurfaceTriangle> triangles, std::span<const Vec3> rest,
-                               size_t pieces) {
+                               size_t pieces, uint32_t worlds) {
   device_.wait();
   const std::vector<float> sizes = sizes_of(triangles, rest, pieces);
-  sizes_.resize_discard(static_cast<uint32_t>(sizes.size()));
-  sizes_.write(sizes);
+  pbd::write_repeated(sizes_, std::span<const float>(sizes), worlds);
+  needed_.resize_discard(worlds);
+  worlds_ = worlds;
   surface_ = surface;
   vertices_ = surface.triangles.count ? surface.corner_start.count - 1 : 0;
-  pieces_ = static_cast<uint32_t>(pieces);
+  pieces_ = worlds * static_cast<uint32_t>(pieces);
   active_ = false;
   found_.host()[0] = 0;
 }
 
 template <class D>
-int BodyZones<D>::least_substeps(float dt, int chosen, const pbd::ParticleView& start) {
-  if (surface_.triangles.count == 0 || !shapes_.any_moving()) return chosen;
-  needed_.host()[0] = 0;
+std::span<const uint32_t> BodyZones<D>::least_substeps_by_world(float dt, const pbd::ParticleView& start) {
+  std::ranges::fill(needed_.host(), 0u);
   device_.parallel_for("body zones/approach", surface_.triangles.count,
                        zone_kernels::Approach{shapes_.shapes(), shapes_.touches(start.phase, start.sorted),
                                               surface_.triangles, start, bodies_.motions(), bodies_.reaches(),
                                               bodies_.accelerations(), sizes_.view(), needed_.view(), dt});
   device_.wait();
-  return std::clamp(static_cast<int>(needed_.host()[0]), chosen,
-                    std::max(chosen, zone_tuning::most_substeps));
+  return needed_.host();
+}
+
+template <class D>
+int BodyZones<D>::least_substeps(float dt, int chosen, const pbd::ParticleView& start) {
+  if (!may_need_substeps()) return chosen;
+  const std::span<const uint32_t> needed = least_substeps_by_world(dt, start);
+  const RigidWorlds& rigid = bodies_.worlds();
+  uint32_t most = 0;
+  for (uint32_t w = 0; w < worlds_; ++w)
+    if (rigid.steps(w * rigid.each())) most = std::max(most, needed[w]);
+  return in_range(most, chosen);
+}
+
+template <class D>
+int BodyZones<D>::in_range(uint32_t needed, int chosen) {
+  return std::clamp(static_cast<int>(needed), chosen, std::max(chosen, zone_tuning::most_substeps));
 }
 
 /// Zones are disabled after many steps without need. A step that needs one after all is repeated.
@@ -67,7 +83,7 @@ void BodyZones<D>::reserve_zones() {
   motion_.resize_discard(bodies);
   pose_.resize_discard(bodies);
   turn_.resize_discard(bodies);
-  crossings_.resize_discard(zone_tuning::rounds);
+  crossings_.resize_discard(worlds_ * zone_tuning::rounds);
   zone_of_.resize_discard(active_ ? vertices_ : 0);
   piece_zone_.resize_discard(active_ ? pieces_ : 0);
   partial_.resize_discard(active_ ? bodies * zone_tuning::lanes : 0);
@@ -75,20 +91,30 @@ void BodyZones<D>::reserve_zones() {
 
 template <class D>
 zone_kernels::Zones BodyZones<D>::zones() {
-  return {label_.view(), grown_.view(),   anchor_.view(),     motion_.view(),   pose_.view(),
-          turn_.view(),  zone_of_.view(), piece_zone_.view(), crossings_.view()};
+  return {label_.view(),
+          grown_.view(),
+          anchor_.view(),
+          motion_.view(),
+          pose_.view(),
+          turn_.view(),
+          zone_of_.view(),
+          piece_zone_.view(),
+          crossings_.view(),
+          worlds_,
+          label_.view().count / worlds_,
+          vertices_ / worlds_};
 }
 
 template <class D>
 void BodyZones<D>::settle(pbd::Substep<D>& substep) {
   using namespace zone_kernels;
   const pbd::View<const BodyProxy> bodies = bodies_.proxies();
-  if (!std::exchange(moves_, false) || surface_.triangles.count == 0 || !shapes_.any_moving()) return;
+  if (!std::exchange(moves_, false) || !may_need_substeps()) return;
   reserve_zones();
   const pbd::ParticleView& p = substep.particles;
   const BodyState state{bodies, bodies_.motions(), bodies_.sum(substep), bodies_.lanes(), substep.dt};
   const Zones all = zones();
-  const uint32_t either = std::max({bodies.count, vertices_, pieces_, zone_tuning::rounds});
+  const uint32_t either = std::max({bodies.count, vertices_, pieces_, worlds_ * zone_tuning::rounds});
   device_.parallel_for("body zones/begin", either, Begin{all, state});
   const uint32_t rounds = active_ ? zone_tuning::rounds : 1;
   for (uint32_t round = 0; round < rounds; ++round) {

@@ -30,22 +30,23 @@ struct Approach {
   View<const float> reach;         ///< by body, m
   View<const float> acceleration;  ///< by body, m/s²: cloth that presses will go on
   View<const float> size;          ///< by piece: of its faces, m
-  View<uint32_t> needed;           ///< one element
+  View<uint32_t> needed;           ///< by world
   float dt;
 
   MENISCUS_HD void operator()(uint32_t n) const {
     const SurfaceTriangle t = triangles[n];
+    const uint32_t world = n / (triangles.count / set.worlds);
     const CollisionFilter filter = touches.of(particles.sorted + t.a).filter;
     float furthest = 0;
-    for (uint32_t k = set.fixed; k < set.shapes.count; ++k) {
-      const Shape& shape = set.shapes[k];
+    for (uint32_t k = set.fixed; k < set.of_world(); ++k) {
+      const Shape& shape = set.shapes[set.number(k, world)];
       if (shape.kind == ShapeKind::plane || !collide(shape, filter)) continue;
       if (touches.is_face_attached(t, shape.body)) continue;
       for (const uint32_t v : {t.a, t.b, t.c})
         furthest = pbd::max(furthest, motion_beside(shape.body, v, size[t.piece]));
     }
     const float substeps = ceilf(furthest / (zone_tuning::most_motion * size[t.piece]));
-    if (substeps > 1) pbd::atomic_max(needed[0], static_cast<uint32_t>(pbd::min(substeps, 1e6f)));
+    if (substeps > 1) pbd::atomic_max(needed[world], static_cast<uint32_t>(pbd::min(substeps, 1e6f)));
   }
 
  private:
@@ -88,10 +89,22 @@ struct Zones {
   View<Vec3> turn;            ///< by body: rad, over the substep
   View<uint32_t> zone_of;     ///< by vertex: a body of its zone, or no_index
   View<uint32_t> piece_zone;  ///< by piece, if all of it has joined a zone: a body of that
-  View<uint32_t> crossings;   ///< by round
+  View<uint32_t> crossings;   ///< by round and world
+  uint32_t worlds, bodies, vertices;  ///< bodies and vertices: of a world
 
   MENISCUS_HD uint32_t name(uint32_t body) const { return pbd::UnionFind{label}.name(body); }
   MENISCUS_HD bool is_zone(uint32_t body) const { return grown[name(body)] != 0; }
+
+  /// The crossings that a round has found in a world.
+  MENISCUS_HD uint32_t& crossings_in(uint32_t round, uint32_t world) const {
+    return crossings.data[round * worlds + world];
+  }
+  MENISCUS_HD bool crosses_body(uint32_t round, uint32_t b) const {
+    return crossings_in(round, b / bodies) != 0;
+  }
+  MENISCUS_HD bool crosses_vertex(uint32_t round, uint32_t v) const {
+    return crossings_in(round, v / vertices) != 0;
+  }
 
   /// An immovable body as the anchor of its zone. Vertices that nothing moves come after all bodies.
   MENISCUS_HD uint32_t anchor_of(uint32_t vertex) const { return label.count + vertex; }
@@ -166,20 +179,21 @@ struct FindPassing {
   bool last;
 
   MENISCUS_HD void operator()(uint32_t n) const {
-    if (round > 0 && zones.crossings[round - 1] == 0) return;
+    const uint32_t world = n / (triangles.count / set.worlds);
+    if (round > 0 && zones.crossings_in(round - 1, world) == 0) return;
     const SurfaceTriangle t = triangles[n];
     const FaceMotion motion = face_kernels::motion_of(particles, t);
     const Aabb box = face_kernels::bounds_of(motion);
     if (!is_finite(box.lower) || !is_finite(box.upper) || overlapped(t)) return;
     const Touch touch = touches.of(particles.sorted + t.a);
-    for (uint32_t k = set.fixed; k < set.shapes.count; ++k) {
-      const Shape& shape = set.shapes[k];
+    for (uint32_t k = set.fixed; k < set.of_world(); ++k) {
+      const Shape& shape = set.shapes[set.number(k, world)];
       if (shape.kind == ShapeKind::plane) continue;
       // The bounds are those of the predicted motion.
       const float astray = length(zones.pose[shape.body].position - bodies[shape.body].pose.position);
       if (out_of_reach(shape, box.lower, box.upper, touch.radius + astray)) continue;
       if (!collide(shape, touch.filter) || touches.is_face_attached(t, shape.body)) continue;
-      if (passes(shape, motion, touch.radius)) join(t, shape.body);
+      if (passes(shape, motion, touch.radius)) join(t, shape.body, world);
     }
   }
 
@@ -214,10 +228,10 @@ struct FindPassing {
     return t < 1 || field.nearest(m.to, tolerance).surface.distance < gap;
   }
 
-  MENISCUS_HD void join(const SurfaceTriangle& t, uint32_t body) const {
+  MENISCUS_HD void join(const SurfaceTriangle& t, uint32_t body, uint32_t world) const {
     pbd::atomic_max(found[0], 1);
     if (zones.zone_of.count == 0) return;
-    pbd::atomic_add(zones.crossings[round], 1);
+    pbd::atomic_add(zones.crossings_in(round, world), 1);
     pbd::atomic_max(zones.grown[body], round + 1);
     for (const uint32_t v : {t.a, t.b, t.c}) zones.join(zones.zone_of[v], body);
     if (last) zones.join(zones.piece_zone[t.piece], body);

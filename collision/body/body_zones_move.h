@@ -16,15 +16,14 @@ struct FindAnchors {
   uint32_t round;
 
   MENISCUS_HD void operator()(uint32_t n) const {
-    if (zones.crossings[round] == 0) return;
-    if (n < zones.label.count) {
+    if (n < zones.label.count && zones.crosses_body(round, n)) {
       const uint32_t name = zones.name(n);
       if (name != n) {
         pbd::atomic_max(zones.grown[name], pbd::atomic_load(zones.grown[n]));
         pbd::atomic_min(zones.anchor[name], pbd::atomic_load(zones.anchor[n]));
       }
     }
-    if (n >= zones.zone_of.count) return;
+    if (n >= zones.zone_of.count || !zones.crosses_vertex(round, n)) return;
     const uint32_t i = particles.sorted + n, all = zones.piece_zone[pbd::phase_group(particles.phase[i])];
     if (all != no_index) zones.join(zones.zone_of[n], all);
     const uint32_t body = zones.zone_of[n];
@@ -76,9 +75,10 @@ struct SumZones {
 
   MENISCUS_HD void operator()(uint32_t n) const {
     const uint32_t b = n / lanes;
-    if (zones.crossings[round] == 0 || zones.grown[b] == 0 || zones.name(b) != b) return;
+    if (!zones.crosses_body(round, b) || zones.grown[b] == 0 || zones.name(b) != b) return;
     ZoneSum sum;
-    for (uint32_t v = n % lanes; v < zones.zone_of.count; v += lanes) {
+    const uint32_t first = b / zones.bodies * zones.vertices;
+    for (uint32_t v = first + n % lanes; v < first + zones.vertices; v += lanes) {
       const uint32_t body = zones.zone_of[v], i = particles.sorted + v;
       if (body == no_index || zones.name(body) != b) continue;
       const Vec4 x = particles.position[i];
@@ -98,7 +98,7 @@ struct FindMotion {
   uint32_t lanes, round;
 
   MENISCUS_HD void operator()(uint32_t b) const {
-    if (zones.crossings[round] == 0 || zones.grown[b] == 0 || zones.name(b) != b) return;
+    if (!zones.crosses_body(round, b) || zones.grown[b] == 0 || zones.name(b) != b) return;
     const uint32_t anchor = zones.anchor[b];
     if (anchor < zones.label.count) {
       const Pose &from = state.bodies[anchor].start, &to = zones.pose[anchor];
@@ -125,7 +125,8 @@ struct FindMotion {
   MENISCUS_HD ZoneSum sum_of(uint32_t b) const {
     ZoneSum sum;
     for (uint32_t lane = 0; lane < lanes; ++lane) sum.add(partial[b * lanes + lane]);
-    for (uint32_t other = 0; other < zones.label.count; ++other) {
+    const uint32_t first = b / zones.bodies * zones.bodies;
+    for (uint32_t other = first; other < first + zones.bodies; ++other) {
       const BodyProxy& body = state.bodies[other];
       if (body.inverse_mass == 0 || zones.name(other) != b) continue;
       const Vec3 from = body.start.position, displacement = zones.pose[other].position - from;
@@ -148,9 +149,8 @@ struct Move {
   uint32_t round;
 
   MENISCUS_HD void operator()(uint32_t n) const {
-    if (zones.crossings[round] == 0) return;
-    if (n < zones.label.count) move_body(n);
-    if (n < zones.zone_of.count) move_vertex(n);
+    if (n < zones.label.count && zones.crosses_body(round, n)) move_body(n);
+    if (n < zones.zone_of.count && zones.crosses_vertex(round, n)) move_vertex(n);
   }
 
  private:
@@ -181,7 +181,7 @@ struct Give {
 
   MENISCUS_HD void operator()(uint32_t b) const {
     const BodyProxy& body = state.bodies[b];
-    if (zones.crossings[0] == 0 || body.inverse_mass == 0 || !zones.is_zone(b)) return;
+    if (!zones.crosses_body(0, b) || body.inverse_mass == 0 || !zones.is_zone(b)) return;
     const ContactSum sum = state.sum(b);
     const Vec3 shift = zones.pose[b].position - body.start.position;
     const Vec3 push = 1 / body.inverse_mass * (state.shift(b, sum) - shift);
@@ -199,9 +199,11 @@ struct Follow {
   pbd::ContactView contacts;
 
   MENISCUS_HD void operator()(uint32_t n) const {
-    if (zones.crossings[0] == 0 || n >= contacts.total()) return;
+    if (n >= contacts.total()) return;
     pbd::Contact& c = contacts.contacts[n];
-    if (c.body >= bodies.count || !zones.is_zone(c.body) || bodies[c.body].inverse_mass == 0) return;
+    if (c.body >= bodies.count || !zones.crosses_body(0, c.body) || !zones.is_zone(c.body) ||
+        bodies[c.body].inverse_mass == 0)
+      return;
     const BodyProxy& body = bodies[c.body];
     const Vec3 arm = rotate(conjugate(body.pose.rotation), c.arm);
     const body_kernels::ContactMotion old = before[c.body];

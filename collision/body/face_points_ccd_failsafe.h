@@ -45,8 +45,8 @@ struct Demand {
     const Aabb box = bounds_of(motion);
     Vec3 step{0, 0, 0};
     if (!is_finite(box.lower) || !is_finite(box.upper)) return step;
-    for (uint32_t k = 0; k < set.shapes.count; ++k) {
-      const Shape& shape = set.shapes[k];
+    for (uint32_t k = 0; k < set.of_world(); ++k) {
+      const Shape& shape = set.shapes[set.number(k, triangle / points.faces)];
       // The displacement of a body by contacts may be as large as its own motion, so the bounds are tested
       // with it.
       if (shape.kind == ShapeKind::plane || out_of_reach(shape, box.lower, box.upper, touch.radius)) continue;

@@ -65,7 +65,7 @@ struct Decide {
 
   MENISCUS_HD void operator()(uint32_t n) const {
     const SurfaceTriangle t = triangles[n];
-    const FaceSample best = deepest_point(t);
+    const FaceSample best = deepest_point(t, n / (triangles.count / set.worlds));
     const bool needs = best.surface.distance < nothing().surface.distance;
     if (needed.count == 0) {
       if (needs) pbd::atomic_max(wanted[0], 1);
@@ -78,7 +78,7 @@ struct Decide {
   MENISCUS_HD static FaceSample nothing() { return {{1, 0, 0}, {1e30f, {0, 1, 0}}}; }
 
   /// The deepest point over all shapes, if the face needs one. A held face needs none at fixed shapes.
-  MENISCUS_HD FaceSample deepest_point(const SurfaceTriangle& t) const {
+  MENISCUS_HD FaceSample deepest_point(const SurfaceTriangle& t, uint32_t world) const {
     const FaceMotion motion = motion_of(particles, t);
     const Touch touch = touches.of(particles.sorted + t.a);
     const uint32_t first = is_held(t) ? set.fixed : 0;
@@ -86,8 +86,8 @@ struct Decide {
     const float reach = face_tuning::reach * touch.radius;
     FaceSample best = nothing();
     if (!is_finite(box.lower) || !is_finite(box.upper)) return best;
-    for (uint32_t k = first; k < set.shapes.count; ++k) {
-      const Shape& shape = set.shapes[k];
+    for (uint32_t k = first; k < set.of_world(); ++k) {
+      const Shape& shape = set.shapes[set.number(k, world)];
       if (shape.kind == ShapeKind::plane || out_of_reach(shape, box.lower, box.upper, reach)) continue;
       if (!collide(shape, touch.filter) || touches.is_face_attached(t, shape.body)) continue;
       const FaceSample found =

@@ -13,21 +13,30 @@ namespace meniscus::collision {
 
 namespace stick_kernels {
 
+/// Numbers the body of an anchor in another world of a batch, `by` bodies further.
+MENISCUS_HD inline StickAnchor shifted(StickAnchor anchor, uint32_t by) {
+  if (anchor.body < pbd::on_cloth) anchor.body += by;
+  return anchor;
+}
+
 /// The lists that vertices are to have: those of `by` in the chosen worlds, the present ones in others.
 struct ChooseLists {
   pbd::ChosenWorlds worlds;
   StickLists present, by;  ///< `by`: of one world, or of all
+  uint32_t bodies;         ///< of a world
 
   struct List {
     const StickLists* of;
     uint32_t first, count;
+    uint32_t shift;  ///< of the numbers of bodies
   };
   MENISCUS_HD List of(uint32_t v) const {
     const StickLists& lists = worlds.has(v) ? by : present;
-    const uint32_t at = lists.start.count > worlds.count ? v : v % worlds.each;
+    const bool are_of_one = lists.start.count <= worlds.count;
+    const uint32_t at = are_of_one ? v % worlds.each : v;
     const uint32_t first = lists.start[at], end = lists.start[at + 1];
     const uint32_t last = end < lists.anchors.count ? end : lists.anchors.count;
-    return {&lists, first, last > first ? last - first : 0};
+    return {&lists, first, last > first ? last - first : 0, are_of_one ? v / worlds.each * bodies : 0};
   }
 };
 
@@ -46,8 +55,17 @@ struct WriteLists {
   MENISCUS_HD void operator()(uint32_t v) const {
     const ChooseLists::List list = choose.of(v);
     for (uint32_t k = 0; k < list.count && start[v] + k < anchors.count; ++k)
-      anchors[start[v] + k] = list.of->anchors[list.first + k];
+      anchors[start[v] + k] = shifted(list.of->anchors[list.first + k], list.shift);
   }
+};
+
+/// Copies the anchors of a world, with the numbers that bodies have in a world alone.
+struct TakeOut {
+  View<const StickAnchor> from;
+  View<StickAnchor> to;
+  uint32_t first, bodies;  ///< bodies: of the worlds before
+
+  MENISCUS_HD void operator()(uint32_t k) const { to[k] = shifted(from[first + k], 0u - bodies); }
 };
 
 }  // namespace stick_kernels
@@ -73,7 +91,8 @@ void StickAnchors<D>::replace(const pbd::ChosenWorlds& chosen, const StickLists&
   if (vertices_ == 0) return;
   const uint32_t least = vertices_ / kept_vertices_ * kept_count_;
   if (anchors_.current().count < least) anchors_.reserve(least, 0);
-  const stick_kernels::ChooseLists choose{{chosen.chosen, kept_vertices_, vertices_}, present(), by};
+  const stick_kernels::ChooseLists choose{
+      {chosen.chosen, kept_vertices_, vertices_}, present(), by, bodies_.worlds().each()};
   device_.parallel_for("anchors/measure", vertices_, stick_kernels::MeasureLists{choose, lengths_.view()});
   device_.exclusive_scan("anchors/starts", lengths_.view(), start_.next());
   device_.parallel_for("anchors/replace", vertices_,
@@ -108,7 +127,9 @@ void StickAnchors<D>::visit_world(pbd::StateVisitor& v, uint32_t world) {
   pbd::Buffer<StickAnchor> anchors(device_, "stick anchors");
   anchors.resize_discard(count);
   if (!v.restores())
-    device_.copy(anchors.view().data, anchors_.current().data + begin, count * sizeof(StickAnchor));
+    device_.parallel_for(
+        "anchors/take out", count,
+        stick_kernels::TakeOut{anchors_.current(), anchors.view(), begin, world * bodies_.worlds().each()});
   v.array("anchor", anchors.view(), count);
   v.array("start", starts.view(), start.size());
   if (!v.restores()) return;

@@ -12,12 +12,35 @@ namespace meniscus::collision {
 
 inline constexpr uint32_t cluster_size = 32;  ///< particles, as many as a warp has threads
 
+/// The worlds of a batch's particles. Those of fluids come first, then vertices, both world after world; then
+/// points of faces, in the order of their triangles.
+struct ParticleWorlds {
+  uint32_t worlds = 1;
+  uint32_t fluid = 0, vertices = 0, faces = 0;  ///< of a world
+  pbd::View<const uint32_t> triangle_of{};      ///< by point of a face; no_index where it is not in use
+
+  MENISCUS_HD uint32_t of(uint32_t i) const {
+    if (worlds == 1) return 0;
+    if (i < worlds * fluid) return i / fluid;
+    const uint32_t v = i - worlds * fluid;
+    if (v < worlds * vertices) return v / vertices;
+    const uint32_t triangle = triangle_of[v - worlds * vertices];
+    return triangle == pbd::no_index ? worlds - 1 : triangle / faces;
+  }
+  /// The first particle after i that may be of another world.
+  MENISCUS_HD uint32_t next_after(uint32_t i) const {
+    if (i < worlds * fluid) return (i / fluid + 1) * fluid;
+    const uint32_t v = i - worlds * fluid;
+    return v < worlds * vertices ? worlds * fluid + (v / vertices + 1) * vertices : i + 1;
+  }
+};
+
 /// The lists as kernels read them. In a batch of worlds a list names shapes by their places in a world, as a
 /// cluster may have particles of several.
 struct CandidateView {
   pbd::View<const uint32_t> masks;  ///< `words` words for each cluster, one bit a shape of a world
   uint32_t words = 0;
-  uint32_t each = 0;               ///< particles of a world, where there are several; 0: one world
+  ParticleWorlds of_worlds{};
   uint32_t fixed = 0, moving = 0;  ///< shapes; moving ones of one world
 
   /// Calls visit(shape) for each candidate, in the order of the shapes' numbers.
@@ -78,7 +101,7 @@ struct CandidateView {
 
   MENISCUS_HD Walk walk_from(uint32_t particle) const {
     const uint32_t* word = masks.data + particle / cluster_size * words;
-    return {word, word + words, 0, 0u - 32, fixed, each ? particle / each * moving : 0};
+    return {word, word + words, 0, 0u - 32, fixed, of_worlds.of(particle) * moving};
   }
   /// All that the test needs of a shape. It is loaded at once, so no load waits for the result of another.
   struct Bounds {
@@ -161,9 +184,9 @@ struct MarkCandidates {
   ShapeSet set;
   pbd::View<const Aabb> bounds;
   pbd::View<uint32_t> masks;
-  uint32_t clusters, words;
+  uint32_t particles, clusters, words;
   float reach;
-  uint32_t world_size;  ///< CandidateView::each
+  ParticleWorlds worlds;
 
   template <class Group>
   MENISCUS_HD void operator()(const Group& group, Scratch& scratch, uint32_t n) const {
@@ -206,14 +229,16 @@ struct MarkCandidates {
     });
   }
 
-  MENISCUS_HD bool is_of_each_world(uint32_t number) const { return world_size && number >= set.fixed; }
+  MENISCUS_HD bool is_of_each_world(uint32_t number) const {
+    return worlds.worlds > 1 && number >= set.fixed;
+  }
   /// Whether the shape is near the box of a cluster, in any world that the cluster has particles of.
   MENISCUS_HD bool is_near_any_of(uint32_t number, uint32_t cluster, const Aabb& box) const {
     if (!is_of_each_world(number)) return is_near(set.shapes[number], box);
-    const uint32_t first = cluster * cluster_size / world_size,
-                   last = ((cluster + 1) * cluster_size - 1) / world_size;
-    for (uint32_t world = first; world <= last && world < set.worlds; ++world)
-      if (is_near(set.shapes[set.number(number, world)], box)) return true;
+    const uint32_t first = cluster * cluster_size,
+                   end = first + cluster_size < particles ? first + cluster_size : particles;
+    for (uint32_t i = first; i < end; i = worlds.next_after(i))
+      if (is_near(set.shapes[set.number(number, worlds.of(i))], box)) return true;
     return false;
   }
   MENISCUS_HD bool is_near(const Shape& shape, const Aabb& box) const {
@@ -241,28 +266,29 @@ class Candidates {
     masks_.resize_discard(size_t{clusters} * words_);
   }
 
-  /// Finds the shapes within `reach` (m) of any motion of a cluster. The particles of worlds are as many
-  /// each.
+  /// Finds the shapes within `reach` (m) of any motion of a cluster.
   template <class D>
   void find(D& device, const ShapeSet& set, pbd::View<const pbd::Vec4> from, pbd::View<const pbd::Vec4> to,
-            uint32_t particles, float reach) {
+            uint32_t particles, float reach, const ParticleWorlds& worlds) {
     using namespace candidate_kernels;
     clusters_ = (particles + cluster_size - 1) / cluster_size;
-    each_ = set.worlds > 1 ? particles / set.worlds : 0;
+    worlds_ = worlds;
     fixed_ = set.fixed;
     moving_ = set.moving();
     constexpr uint32_t each = BoundScratch::clusters;
     device.parallel_for_groups("contacts/clusters", (clusters_ + each - 1) / each,
                                BoundClusters{from, to, bounds_.view(), particles, clusters_});
-    const MarkCandidates mark{set, bounds_.view(), masks_.view(), clusters_, words_, reach, each_};
+    const MarkCandidates mark{set,       bounds_.view(), masks_.view(), particles,
+                              clusters_, words_,         reach,         worlds};
     device.parallel_for_groups("contacts/candidates", mark.groups(), mark);
   }
 
-  CandidateView view() const { return {masks_.view(), words_, each_, fixed_, moving_}; }
+  CandidateView view() const { return {masks_.view(), words_, worlds_, fixed_, moving_}; }
 
  private:
   uint32_t words_ = 0, clusters_ = 0;
-  uint32_t each_ = 0, fixed_ = 0, moving_ = 0;  // see CandidateView
+  ParticleWorlds worlds_;
+  uint32_t fixed_ = 0, moving_ = 0;  // see CandidateView
   pbd::Buffer<Aabb> bounds_;
   pbd::Buffer<uint32_t> masks_;
 };

@@ -133,6 +133,7 @@ class ShapeContacts final : public pbd::ContactSource<D> {
   float largest_radius() const { return largest_radius_; }
 
  private:
+  ParticleWorlds worlds() const;
   template <bool only_fixed_planes>
   auto finder(const pbd::Substep<D>& substep) const;
   /// A tank with nothing in it, which is common: its kernels need a third of the registers.

@@ -219,6 +219,13 @@ void ShapeContacts<D>::reserve(uint32_t particles) {
 }
 
 template <class D>
+ParticleWorlds ShapeContacts<D>::worlds() const {
+  const uint32_t worlds = shapes_.worlds;
+  return {worlds, particles_.sorted() / worlds, particles_.vertices() / worlds,
+          points_.triangles.count / worlds, points_.triangle_of};
+}
+
+template <class D>
 template <bool only_fixed_planes>
 auto ShapeContacts<D>::finder(const pbd::Substep<D>& substep) const {
   const pbd::ParticleView& p = substep.particles;
@@ -238,7 +245,8 @@ template <class D>
 void ShapeContacts<D>::limit_beside_moving(const pbd::MotionView& motion, const pbd::ContactView& contacts,
                                            float furthest) {
   if (shapes_.fixed == shapes_.shapes.count || motion.count == 0) return;
-  candidates_.find(device_, shapes_, motion.from, motion.to, motion.count, largest_radius_ + furthest);
+  candidates_.find(device_, shapes_, motion.from, motion.to, motion.count, largest_radius_ + furthest,
+                   worlds());
   device_.parallel_for(
       "contacts/limit beside moving", motion.count,
       shape_contact_kernels::LimitByMoving{shapes_, candidates_.view(), touches(motion.phase, motion.sorted),
@@ -249,7 +257,7 @@ template <class D>
 CandidateView ShapeContacts<D>::find_near(pbd::View<const pbd::Vec4> position, uint32_t particles,
                                           float reach) {
   candidates_.reserve(room_, shapes_.of_world());
-  candidates_.find(device_, shapes_, position, position, particles, reach);
+  candidates_.find(device_, shapes_, position, position, particles, reach, worlds());
   return candidates_.view();
 }
 
@@ -262,7 +270,7 @@ void ShapeContacts<D>::count(const pbd::Substep<D>& substep, const pbd::ContactC
   if (only_fixed_planes()) {
     device_.parallel_for("contacts/count", p.owned, Count<true>{finder<true>(substep), counter, phase});
   } else {
-    candidates_.find(device_, shapes_, p.previous, p.position, p.owned, support_radius_);
+    candidates_.find(device_, shapes_, p.previous, p.position, p.owned, support_radius_, worlds());
     device_.parallel_for("contacts/count", p.owned, Count<false>{finder<false>(substep), counter, phase});
   }
 }

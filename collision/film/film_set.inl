@@ -124,7 +124,8 @@ void FilmSet<D>::end(pbd::Substep<D>& substep) {
   const ShapeSet& set = contacts_.shapes();
   const WorldAxes axes{LevelAxes(substep.gravity), of_world(), world_axes_.view()};
   device_.parallel_for("films/place", triangles, PlaceCentres{film, centre_.view()});
-  candidates_.find(device_, set, centre_.view(), centre_.view(), triangles, lengths_.widest());
+  candidates_.find(device_, set, centre_.view(), centre_.view(), triangles, lengths_.widest(),
+                   {set.worlds, triangles / set.worlds});
   device_.parallel_for("films/gaps", triangles,
                        FindGaps{film, set, candidates_.view(), centre_.view(), lengths_, axes, gaps_.view()});
   has_film_.fill(0);

@@ -81,6 +81,20 @@ struct FindTouching {
   }
 };
 
+/// Copies rows to longer ones.
+struct CopyRows {
+  GrainRows from, to;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    const uint32_t count = pbd::min(from.count[i], from.capacity);  // rows that are not in use have any
+    for (uint32_t k = 0; k < count; ++k) {
+      const size_t at = to.place(i, k), there = from.place(i, k);
+      to.partner.data[at] = from.partner.data[there];
+      to.impulse.data[at] = from.impulse.data[there];
+    }
+  }
+};
+
 /// Writes the longest row for the host.
 struct NoteLongest {
   View<const uint32_t> longest;

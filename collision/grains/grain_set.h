@@ -16,6 +16,10 @@
 
 namespace meniscus::collision {
 
+namespace grain_kernels {
+struct GrainState;
+}
+
 /// Properties of one group of particles, for contacts among grains.
 struct GrainMaterial {
   bool is_grain = false;
@@ -55,6 +59,9 @@ class GrainSet final : public pbd::ConstraintSet<D> {
 
   /// One entry for each group of the particles' phases.
   void set_materials(std::span<const GrainMaterial> materials);
+  /// s, of the substep that left its impulses; 0: there was none.
+  float last_substep() const { return last_dt_; }
+  void set_last_substep(float seconds) { last_dt_ = seconds; }
 
   void reserve(uint32_t capacity, uint32_t kept) override;
   void clear(uint32_t first, uint32_t count) override;
@@ -62,6 +69,11 @@ class GrainSet final : public pbd::ConstraintSet<D> {
   void save() override;
   void restore() override;
   void visit_state(pbd::StateVisitor& v);
+  void keep_world(uint32_t each) override;
+  void reset_worlds(const pbd::ChosenWorlds& worlds) override;
+  void undo_worlds(const pbd::ChosenWorlds& worlds) override;
+  /// Visits the grains of one world of a batch, or of a world alone.
+  void visit_world(pbd::StateVisitor& v, uint32_t world, uint32_t each);
 
   void begin(pbd::Substep<D>& substep) override;
   void project(pbd::Substep<D>& substep, int iteration) override;
@@ -72,6 +84,10 @@ class GrainSet final : public pbd::ConstraintSet<D> {
  private:
   static constexpr uint32_t block = D::interleaves_lists ? 32 : 1;  // see GrainRows
   void reserve_arrays(uint32_t kept);
+  void reserve_rows(uint32_t kept);
+  void lengthen_rows(uint32_t capacity);
+  grain_kernels::GrainState current_state();
+  grain_kernels::GrainState kept_state();
   GrainRows current_rows();
   GrainRows next_rows();
   uint32_t longest_row() const { return found_.host().empty() ? 0 : found_.host()[0]; }
@@ -95,6 +111,12 @@ class GrainSet final : public pbd::ConstraintSet<D> {
   pbd::Buffer<float> pressing_{device_, "pressed grains"};
   pbd::Buffer<uint32_t> longest_{device_, "longest row of grain contacts"};
   pbd::SharedBuffer<uint32_t> found_{device_, "longest row of grain contacts"};  // for the host
+
+  // Of a batch: the grains to which worlds are reset.
+  uint32_t kept_row_capacity_ = 0;
+  pbd::Buffer<uint32_t> kept_partner_{device_, "kept grains"}, kept_count_{device_, "kept grains"},
+      kept_origin_{device_, "kept grains"};
+  pbd::Buffer<pbd::Vec4> kept_impulse_{device_, "kept grains"};
 };
 
 }  // namespace meniscus::collision

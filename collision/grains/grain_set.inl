@@ -115,13 +115,9 @@ void GrainSet<D>::reserve(uint32_t capacity, uint32_t) {
 /// Allocates only if there may be grains. The first `kept` rows stay.
 template <class D>
 void GrainSet<D>::reserve_arrays(uint32_t kept) {
-  const size_t elements = row_elements(capacity_, row_capacity_, block);
-  const size_t kept_elements = row_elements(kept, row_capacity_, block);
-  partner_.reserve(elements, kept_elements);
-  impulse_.reserve(elements, kept_elements);
+  reserve_rows(kept);
   count_.reserve(capacity_, kept);
   origin_.reserve(capacity_, kept);
-  change_.resize_discard(elements);
   staged_.resize_discard(capacity_);
   pressing_.resize_discard(capacity_);
   if (longest_.size() == 0) {
@@ -134,6 +130,15 @@ void GrainSet<D>::reserve_arrays(uint32_t kept) {
   if (more == 0) return;
   device_.fill(count_.current().data + kept, 0, more * sizeof(uint32_t));
   device_.fill(origin_.current().data + kept, 0xff, more * sizeof(uint32_t));
+}
+
+template <class D>
+void GrainSet<D>::reserve_rows(uint32_t kept) {
+  const size_t elements = row_elements(capacity_, row_capacity_, block);
+  const size_t kept_elements = row_elements(kept, row_capacity_, block);
+  partner_.reserve(elements, kept_elements);
+  impulse_.reserve(elements, kept_elements);
+  change_.resize_discard(elements);
 }
 
 /// New particles have touched nothing and have no rows. The rows at their indices may belong to other
@@ -151,20 +156,40 @@ void GrainSet<D>::reorder(pbd::View<const uint32_t> order, uint32_t count) {
   origin_.flip();
 }
 
-/// Longer rows start empty, so the next solve starts without impulses.
 template <class D>
 void GrainSet<D>::make_room() {
-  const uint32_t before = std::exchange(row_capacity_, (longest_row() + 3) / 4 * 4);
-  try {
-    reserve_arrays(0);
-  } catch (...) {
-    row_capacity_ = before;
-    reserve_arrays(0);
-    throw;
-  }
+  lengthen_rows((longest_row() + 3) / 4 * 4);
 }
 
-/// The rows' length is state: where it grows, impulses are lost. Rows that another kind of device has stored
+/// The impulses stay. So a world of a batch does not notice that another has longer rows.
+template <class D>
+void GrainSet<D>::lengthen_rows(uint32_t capacity) {
+  pbd::Buffer<uint32_t> partner(device_, "grain contacts");
+  pbd::Buffer<pbd::Vec4> impulse(device_, "grain contact impulses");
+  const auto set_aside = [&]<class T>(pbd::Buffer<T>& aside, pbd::View<T> from) {
+    aside.resize_discard(from.count);
+    device_.copy(aside.view().data, from.data, size_t{from.count} * sizeof(T));
+  };
+  set_aside(partner, partner_.current());
+  set_aside(impulse, impulse_.current());
+  const uint32_t before = std::exchange(row_capacity_, capacity);
+  const auto take_up = [&] {
+    const GrainRows aside{partner.view(), impulse.view(), count_.current(), before, block};
+    device_.parallel_for("grains/lengthen", capacity_, grain_kernels::CopyRows{aside, current_rows()});
+    device_.wait();
+  };
+  try {
+    reserve_rows(0);
+  } catch (...) {
+    row_capacity_ = before;
+    reserve_rows(0);
+    take_up();
+    throw;
+  }
+  take_up();
+}
+
+/// Rows that another kind of device has stored
 /// in another order are not used, and the next solve starts without impulses.
 template <class D>
 void GrainSet<D>::visit_state(pbd::StateVisitor& v) {
@@ -211,3 +236,5 @@ void GrainSet<D>::restore() {
 }
 
 }  // namespace meniscus::collision
+
+#include "collision/grains/grain_worlds.inl"

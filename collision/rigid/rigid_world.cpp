@@ -309,6 +309,11 @@ bool RigidWorld::awake(uint32_t number) const {
   return impl_->body(number).bullet->isActive();
 }
 
+void RigidWorld::read_awake(std::vector<uint8_t>& out) const {
+  out.resize(body_slots());
+  for (uint32_t n = 0; n < out.size(); ++n) out[n] = !impl_->bodies.has(n) || awake(n);
+}
+
 void RigidWorld::set_pose(uint32_t number, const Pose& pose) {
   const InBullet bullet(*reserve_, impl_->size());
   RigidBodyRecord& body = impl_->body(number);

@@ -146,6 +146,8 @@ class RigidWorld {
   Vec3 angular_velocity(uint32_t body) const;
   Vec3 centre_of_mass(uint32_t body) const;
   bool awake(uint32_t body) const;
+  /// By number: 1 for a body that is awake, and for a number that is not in use.
+  void read_awake(std::vector<uint8_t>& out) const;
   void set_pose(uint32_t body,
                 const Pose& pose);  ///< wakes it; a kinematic body has no velocity afterwards
   void set_velocity(uint32_t body, Vec3 velocity, Vec3 angular_velocity);  ///< dynamic bodies; wakes

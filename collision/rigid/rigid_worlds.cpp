@@ -11,6 +11,26 @@
 
 namespace meniscus::collision {
 
+void RigidNews::note(RigidWorld& world) {
+  touches_before.swap(touches);
+  awake_before.swap(awake);
+  touches = world.touches();
+  world.read_awake(awake);
+  is_new = true;
+}
+
+void RigidNews::take_back() {
+  if (!std::exchange(is_new, false)) return;
+  touches = touches_before;
+  awake = awake_before;
+}
+
+void RigidNews::settle() {
+  touches_before = touches;
+  awake_before = awake;
+  is_new = false;
+}
+
 RigidWorlds::RigidWorlds(RigidWorld& only)
     : only_(only), before_(RigidWorld::make_snapshot()), start_(RigidWorld::make_snapshot()) {}
 
@@ -26,6 +46,7 @@ void RigidWorlds::make_many(uint32_t worlds, std::unique_ptr<pbd::HostThreads> t
   });
   steps_.assign(worlds, 1);
   failed_.assign(worlds, 0);
+  news_.assign(worlds, kept_news_);
   threads_ = std::move(threads);
   many_ = std::move(made);
   many_before_ = std::move(before);
@@ -33,6 +54,7 @@ void RigidWorlds::make_many(uint32_t worlds, std::unique_ptr<pbd::HostThreads> t
 
 void RigidWorlds::set_stepping(std::span<const uint8_t> steps) {
   if (are_many()) std::copy(steps.begin(), steps.end(), steps_.begin());
+  failed_.assign(failed_.size(), 0);
 }
 
 /// Calls work(w, world) for the worlds that step.
@@ -47,24 +69,36 @@ void RigidWorlds::for_each(const Work& work) const {
 /// The others rest.
 void RigidWorlds::predict(float dt, std::span<RigidMotion> out) const {
   if (!are_many()) return only_.predict(dt, out);
-  threads_->for_each(count(), [&](uint32_t w) {
-    many_[w]->predict(takes_part(w) ? dt : 0, out.subspan(size_t{w} * each(), each()));
-  });
+  threads_->for_each(count(), [&](uint32_t w) { predict_world(w, dt, out); });
+}
+
+void RigidWorlds::predict_world(uint32_t w, float dt, std::span<RigidMotion> out) const {
+  const bool rests = are_many() && !takes_part(w);
+  world(w).predict(rests ? 0 : dt, out.subspan(size_t{w} * each(), each()));
 }
 
 void RigidWorlds::begin_step(float dt) {
   for_each([&](uint32_t, RigidWorld& world) { world.begin_step(dt); });
 }
 
-void RigidWorlds::finish_step(float dt, std::span<const RigidImpulse> impulses) {
-  for_each([&](uint32_t w, RigidWorld& world) {
-    world.finish_step(dt, impulses.subspan(size_t{w} * each(), each()));
+void RigidWorlds::finish_step(float dt, std::span<const RigidImpulse> impulses,
+                              std::span<RigidMotion> arrived,
+                              const std::function<void(uint32_t, uint32_t)>& note) {
+  if (!are_many()) {
+    only_.finish_step(dt, impulses);
+    only_.check_finite();
+    only_.predict(0, arrived);
+    return note(0, each());
+  }
+  threads_->for_each(count(), [&](uint32_t w) {
+    const uint32_t first = w * each();
+    if (takes_part(w)) {
+      many_[w]->finish_step(dt, impulses.subspan(first, each()));
+      fail_unless_finite(w);
+    }
+    predict_world(w, 0, arrived);
+    note(first, first + each());
   });
-}
-
-void RigidWorlds::check_finite() {
-  if (!are_many()) return only_.check_finite();
-  for_each([&](uint32_t w, const RigidWorld&) { fail_unless_finite(w); });
 }
 
 void RigidWorlds::fail_unless_finite(uint32_t w) {
@@ -73,12 +107,21 @@ void RigidWorlds::fail_unless_finite(uint32_t w) {
   } catch (const Error& error) {
     if (error.code() != ErrorCode::non_finite) throw;
     restore(w);
+    news_[w].settle();
     failed_[w] = 1;
   }
 }
 
+void RigidWorlds::start_step() {
+  failed_.assign(failed_.size(), 0);
+  for (RigidNews& news : news_) news.is_new = false;
+}
+
 void RigidWorlds::end_step() {
-  for_each([](uint32_t, RigidWorld& world) { world.end_step(); });
+  for_each([&](uint32_t w, RigidWorld& world) {
+    world.end_step();
+    if (are_many()) news_[w].note(world);
+  });
 }
 
 void RigidWorlds::save_bodies() {
@@ -97,10 +140,24 @@ void RigidWorlds::restore() {
 
 void RigidWorlds::restore(uint32_t w) {
   world(w).restore(are_many() ? *many_before_[w] : *before_);
+  if (are_many()) news_[w].take_back();
+}
+
+void RigidWorlds::keep_news(std::span<const RigidTouch> touches, std::span<const uint8_t> awake) {
+  kept_news_.touches.assign(touches.begin(), touches.end());
+  kept_news_.awake.assign(awake.begin(), awake.end());
+  kept_news_.settle();
+}
+
+void RigidWorlds::renew(uint32_t w) {
+  news_[w].touches = many_[w]->touches();
+  many_[w]->read_awake(news_[w].awake);
+  news_[w].settle();
 }
 
 void RigidWorlds::reset(uint32_t w) {
   many_[w]->restore(*start_);
+  news_[w] = kept_news_;
 }
 
 }  // namespace meniscus::collision

@@ -15,6 +15,18 @@
 
 namespace meniscus::collision {
 
+/// What touches in a world of a batch, and which bodies are awake, after its last step and before it.
+struct RigidNews {
+  std::vector<RigidTouch> touches, touches_before;
+  std::vector<uint8_t> awake, awake_before;  ///< by body
+  bool is_new = false;                       ///< noted in the present step
+
+  void note(RigidWorld& world);
+  void take_back();
+  /// Nothing has changed since.
+  void settle();
+};
+
 /// Steps one rigid world, or as many as a batch has. The worlds of a batch are alike, and bodies are numbered
 /// world after world. Each world steps alone, on any of several threads, so the others do not change it.
 class RigidWorlds {
@@ -31,23 +43,32 @@ class RigidWorlds {
   bool any_failed() const { return std::find(failed_.begin(), failed_.end(), 1) != failed_.end(); }
   /// Bodies of a world.
   uint32_t each() const { return world(0).body_slots(); }
-  /// By world of a batch: whether the next steps advance it. The others stay.
+  /// By world of a batch: whether the next steps advance it. The others stay. No world has failed yet.
   void set_stepping(std::span<const uint8_t> steps);
   bool steps(uint32_t body) const { return !are_many() || takes_part(body / each()); }
   /// By world of a batch: whether a body was not finite in this step. Such a world is back at the step's
   /// start, and stays there.
   std::span<const uint8_t> failed() const { return failed_; }
+  /// Of a world of a batch.
+  const RigidNews& news(uint32_t world) const { return news_[world]; }
+  /// The news that make_many() and reset() start with, of a world alone.
+  void keep_news(std::span<const RigidTouch> touches, std::span<const uint8_t> awake);
+  /// Starts with what a world has now, after its state was replaced.
+  void renew(uint32_t world);
 
   // As those of RigidWorld, for all worlds that step.
   uint32_t body_slots() const { return count() * each(); }
   RigidMass mass(uint32_t body) const { return world(body / each()).mass(body % each()); }
   void predict(float dt, std::span<RigidMotion> out) const;
-  /// No world has failed yet.
-  void start_step() { failed_.assign(failed_.size(), 0); }
+  void start_step();
   void begin_step(float dt);
-  void finish_step(float dt, std::span<const RigidImpulse> impulses);
-  /// Throws for one world; a world of a batch fails.
-  void check_finite();
+  /// Finishes the step of each world, checks it, and writes where its bodies arrive. One world throws if a
+  /// body is not finite; a world of a batch fails. Then calls note(first, end) for its bodies. For worlds of
+  /// a batch all that is on one of the threads.
+  void finish_step(float dt, std::span<const RigidImpulse> impulses, std::span<RigidMotion> arrived,
+                   const std::function<void(uint32_t, uint32_t)>& note);
+  /// For one world, as predict().
+  void predict_world(uint32_t world, float dt, std::span<RigidMotion> out) const;
   void end_step();
 
   /// Keeps the state at the start of a step, in two halves that may run at once.
@@ -70,6 +91,8 @@ class RigidWorlds {
   std::vector<std::unique_ptr<RigidWorld>> many_;
   std::vector<RigidWorld::SnapshotPtr> many_before_;
   std::vector<uint8_t> steps_, failed_;  // by world of a batch
+  std::vector<RigidNews> news_;          // likewise
+  RigidNews kept_news_;
   std::unique_ptr<pbd::HostThreads> threads_;
 };
 

@@ -110,9 +110,10 @@ class DensitySet final : public pbd::ConstraintSet<D> {
   /// s, of the last substep: its multipliers are those of `multipliers()`.
   float last_substep() const { return last_dt_; }
   void visit_multipliers(pbd::StateVisitor& v, uint32_t count);
-  /// Takes over the multipliers of the particles from `first` on, from a substep of this length; 0: none was.
-  void set_multipliers(uint32_t first, std::span<const density_kernels::Multiplier> multipliers,
-                       float last_substep);
+  /// 0: there was none.
+  void set_last_substep(float seconds) { last_dt_ = seconds; }
+  /// Takes over the multipliers of the particles from `first` on.
+  void set_multipliers(uint32_t first, std::span<const density_kernels::Multiplier> multipliers);
 
   void start_step() override;
   int least_substeps(float dt, int chosen, const pbd::ParticleView& start) override;

@@ -331,10 +331,9 @@ bool DensitySet<D>::any_crowd() const {
 }
 
 template <class D>
-void DensitySet<D>::set_multipliers(uint32_t first, std::span<const density_kernels::Multiplier> multipliers,
-                                    float last_substep) {
+void DensitySet<D>::set_multipliers(uint32_t first,
+                                    std::span<const density_kernels::Multiplier> multipliers) {
   multiplier_.current.write(multipliers, first);
-  if (last_substep > 0) last_dt_ = last_substep;
 }
 
 /// A part of the state: that of so many particles.

@@ -30,6 +30,18 @@ StateItem& SavedState::add(const std::string& path, StateItem item) {
   return place->second;
 }
 
+void SavedState::start_over() {
+  for (auto& [path, item] : items_)
+    if (item.device) spare_[path] = std::move(item.device);
+  items_.clear();
+  order_.clear();
+}
+
+std::unique_ptr<Buffer<std::byte>> SavedState::take_memory(const std::string& path) {
+  const auto place = spare_.find(path);
+  return place == spare_.end() ? nullptr : std::move(place->second);
+}
+
 const StateItem* SavedState::find(const std::string& path) const {
   const auto place = items_.find(path);
   return place == items_.end() ? nullptr : &place->second;
@@ -65,8 +77,9 @@ void StateSaver::visit_device(const std::string& path, const ElementForm& form, 
     to_.add(path, std::move(item));
     return;
   }
-  item.device = std::make_unique<Buffer<std::byte>>(device_, "snapshots");
-  item.device->resize_discard(item.bytes());
+  item.device = to_.take_memory(path);
+  if (!item.device) item.device = std::make_unique<Buffer<std::byte>>(device_, "snapshots");
+  if (item.device->size() < item.bytes()) item.device->resize_discard(item.bytes());
   if (count) device_.copy(item.device->view().data, data, item.bytes());
   to_.add(path, std::move(item));
 }

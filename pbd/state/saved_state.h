@@ -36,12 +36,18 @@ class SavedState {
   const StateItem* find(const std::string& path) const;
   const std::vector<std::string>& paths() const { return order_; }
   std::size_t device_bytes() const;
+  /// Forgets the items. Items of the same paths that are added from now on take over their memory on the
+  /// device.
+  void start_over();
+  /// The memory of an item before start_over(); null if there was none.
+  std::unique_ptr<Buffer<std::byte>> take_memory(const std::string& path);
   /// Moves what is on a device to the host. From then on the device is not needed.
   void move_to_host();
 
  private:
   std::map<std::string, StateItem, std::less<>> items_;
   std::vector<std::string> order_;
+  std::map<std::string, std::unique_ptr<Buffer<std::byte>>, std::less<>> spare_;
 };
 
 /// Where arrays are copied to.

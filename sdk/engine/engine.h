@@ -146,11 +146,17 @@ class Engine {
   // Batches of worlds (pbd/worlds.h). By slot, particles of a world follow one another.
   /// The rigid worlds of the bodies.
   virtual collision::RigidWorlds& rigid_worlds() = 0;
-  /// Makes so many worlds of the present state, which must be of fluids, fixed shapes, and either bodies or
-  /// cloth. There are as many rigid worlds already, and `solids` are those of all worlds. `cloth` is that of
-  /// one. Then steps with particles, vertices or bodies that are not finite are not undone.
+  /// Makes so many worlds of the present state, which must be of fluids, grains, fixed shapes, bodies
+  /// and cloth. There are as many rigid worlds already, and `solids` are those of all worlds. `cloth` is that
+  /// of one. Then steps with particles, vertices or bodies that are not finite are not undone.
   virtual void make_worlds(const SolidShapes& solids, const EngineCloth& cloth,
                            const VertexNumbers& numbers) = 0;
+  /// What the next step starts from. It must be the same for all worlds that step.
+  virtual LastSubsteps last_substeps() const = 0;
+  virtual void continue_from(const LastSubsteps& last) = 0;
+  /// By world of a batch: the number of substeps that a step of dt seconds needs. A step takes the largest
+  /// number of all worlds that step.
+  virtual void find_substeps(float dt, std::span<int> out) = 0;
   /// Call it after bodies of the worlds with chosen ≠ 0 were placed by a call of the user.
   virtual void place_worlds(std::span<const uint32_t> chosen) = 0;
   /// m/s², by world.

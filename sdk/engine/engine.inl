@@ -170,6 +170,9 @@ class DeviceEngine final : public Engine {
   collision::RigidWorlds& rigid_worlds() override { return bodies_.worlds(); }
   void make_worlds(const SolidShapes& solids, const EngineCloth& cloth,
                    const VertexNumbers& numbers) override;
+  LastSubsteps last_substeps() const override;
+  void continue_from(const LastSubsteps& last) override;
+  void find_substeps(float dt, std::span<int> out) override;
   void place_worlds(std::span<const uint32_t> chosen) override;
   void set_gravities(std::span<const Vec3> gravities) override;
   void reset_worlds(std::span<const uint32_t> chosen) override;
@@ -225,9 +228,9 @@ class DeviceEngine final : public Engine {
   void add_diffuse(const fluid::DiffuseParameters& parameters);
   void set_cloth(const EngineCloth& cloth, uint32_t worlds);
   void number_vertices(uint32_t each);
-  void read_cloth_of(uint32_t world, EngineWorld& state);
-  void write_cloth_of(uint32_t world, const EngineWorld& state);
-  void visit_cloth_of(uint32_t world, pbd::StateVisitor& v);
+  void read_vertices_of(uint32_t world, EngineWorld& state);
+  void write_vertices_of(uint32_t world, const EngineWorld& state);
+  void visit_parts_of(uint32_t world, pbd::StateVisitor& v);
   void set_cloth_with_fluid(const EngineCloth& cloth, uint32_t worlds, float heaviest);
   void note_overlapping();
   void note_overlapping(pbd::View<const uint32_t> chosen_worlds);

@@ -12,7 +12,7 @@ namespace meniscus {
 /// Sets the cloth of `worlds` worlds (pbd/worlds.h), each with this one.
 template <class D>
 void DeviceEngine<D>::set_cloth(const EngineCloth& cloth, uint32_t worlds) {
-  const auto vertices = worlds * static_cast<uint32_t>(cloth.position.size());
+  const auto of_world = static_cast<uint32_t>(cloth.position.size()), vertices = worlds * of_world;
   if (vertices > vertex_capacity_) reserve(fluid_capacity_, vertices);
   fetch_contacts();
   cloth_.set_model(cloth.model, worlds);
@@ -23,11 +23,15 @@ void DeviceEngine<D>::set_cloth(const EngineCloth& cloth, uint32_t worlds) {
   ropes_.set_model(cloth.ropes);
   contacts_.set_pieces(pbd::repeated(std::span(cloth.touches), worlds));
   driven_.set(cloth.driven);
-  attachments_.set_attachments(cloth.attachments);
+  attachments_.set_attachments(
+      pbd::repeated(std::span(cloth.attachments), worlds, [&](collision::BodyAttachment& a, uint32_t world) {
+        a.vertex += world * of_world;
+        a.body += world * bodies_.worlds().each();
+      }));
   contacts_.set_attached_bodies(attachments_.attached_bodies());
   const std::span<const pbd::SurfaceTriangle> triangles = cloth.model.triangles;
   face_points_.set_surface(cloth_.surface(), worlds);
-  body_zones_.set_surface(cloth_.surface(), triangles, cloth.model.rest, cloth.touches.size());
+  body_zones_.set_surface(cloth_.surface(), triangles, cloth.model.rest, cloth.touches.size(), worlds);
   float heaviest = 0;
   for (const pbd::Vec4& x : cloth.position) {
     if (x.w > 0) heaviest = std::max(heaviest, 1 / x.w);

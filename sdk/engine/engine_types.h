@@ -177,6 +177,13 @@ struct EngineCloth {
   std::vector<DrivenPiece> driven;
 };
 
+/// The bodies that vertices are attached to.
+inline std::vector<uint32_t> attached_bodies(const EngineCloth& cloth) {
+  std::vector<uint32_t> bodies;
+  for (const collision::BodyAttachment& a : cloth.attachments) bodies.push_back(a.body);
+  return bodies;
+}
+
 /// Numbers by which World::state_hash hashes the vertices of one world; empty without cloth.
 using VertexNumbers = std::vector<uint64_t>;
 
@@ -190,18 +197,26 @@ struct EngineArrays {
 
 using HookCalls = std::array<SubstepCall, hook_count>;
 
+/// The lengths of the last substeps whose multipliers and impulses the next one starts from, s; 0: none was.
+struct LastSubsteps {
+  float of_all = 0;
+  float density = 0, cloth = 0, grains = 0;  ///< relaxing counts for these parts
+
+  bool operator==(const LastSubsteps&) const = default;
+  bool none() const { return *this == LastSubsteps{}; }
+};
+
 /// The particles of one world of a batch, in their order on the device, and what they start a step from.
 struct EngineWorld {
   std::vector<pbd::Vec4> position, velocity;
   std::vector<pbd::Phase> phase;
   std::vector<uint32_t> slot, number;
   std::vector<fluid::density_kernels::Multiplier> multiplier;
-  float last_density_substep = 0;                    ///< s
   std::vector<collision::RigidImpulse> body_forces;  ///< see Engine::body_forces
-  float last_substep = 0;                            ///< s
+  LastSubsteps last;
   std::vector<pbd::Vec4> vertex_position, vertex_velocity;
   std::vector<pbd::Phase> vertex_phase;
-  std::shared_ptr<pbd::SavedState> cloth;  ///< what parts of cloth carry; null without cloth
+  std::shared_ptr<pbd::SavedState> parts;  ///< what grains and parts of cloth carry
 };
 
 struct EngineStep {

@@ -79,6 +79,28 @@ void DeviceEngine<D>::make_worlds(const SolidShapes& solids, const EngineCloth& 
 }
 
 template <class D>
+LastSubsteps DeviceEngine<D>::last_substeps() const {
+  return {last_substep_, density_.last_substep(), cloth_.last_substep(), grains_.last_substep()};
+}
+
+template <class D>
+void DeviceEngine<D>::continue_from(const LastSubsteps& last) {
+  last_substep_ = last.of_all;
+  density_.set_last_substep(last.density);
+  cloth_.set_last_substep(last.cloth);
+  grains_.set_last_substep(last.grains);
+}
+
+template <class D>
+void DeviceEngine<D>::find_substeps(float dt, std::span<int> out) {
+  std::ranges::fill(out, def_.solver.substeps);
+  if (!body_zones_.may_need_substeps()) return;
+  bodies_.speed(dt);
+  const std::span<const uint32_t> needed = body_zones_.least_substeps_by_world(dt, particles_.source());
+  for (size_t w = 0; w < out.size(); ++w) out[w] = body_zones_.in_range(needed[w], out[w]);
+}
+
+template <class D>
 void DeviceEngine<D>::place_worlds(std::span<const uint32_t> chosen) {
   bodies_.place();
   chosen_worlds_.write(chosen);
@@ -154,6 +176,7 @@ void DeviceEngine<D>::visit_worlds(pbd::StateVisitor& v) {
   density_.visit_multipliers(v, particles_.sorted());
   v.value("last_substep", last_substep_);
   v.part("bodies", bodies_);
+  v.part("grains", grains_);
   if (vertex_numbers_.size() > 0) {
     v.part("stick_anchors", stick_anchors_);
     v.part("cloth", cloth_);
@@ -183,14 +206,16 @@ EngineWorld DeviceEngine<D>::read_world(uint32_t world) {
   const uint32_t bodies = bodies_.worlds().each();
   const auto forces = bodies_.mean_forces().subspan(size_t{world} * bodies, bodies);
   state.body_forces.assign(forces.begin(), forces.end());
-  state.last_density_substep = density_.last_substep();
-  state.last_substep = last_substep_;
-  read_cloth_of(world, state);
+  state.last = last_substeps();
+  read_vertices_of(world, state);
+  state.parts = std::make_shared<pbd::SavedState>();
+  pbd::StateSaver v(device_, *state.parts, pbd::SavedTo::host);
+  visit_parts_of(world, v);
   return state;
 }
 
 template <class D>
-void DeviceEngine<D>::read_cloth_of(uint32_t world, EngineWorld& state) {
+void DeviceEngine<D>::read_vertices_of(uint32_t world, EngineWorld& state) {
   const uint32_t each = solver_.vertices_of_world();
   if (each == 0) return;
   const uint32_t first = particles_.sorted() + world * each;
@@ -202,12 +227,8 @@ void DeviceEngine<D>::read_cloth_of(uint32_t world, EngineWorld& state) {
   read(state.vertex_velocity, particles_.velocity.current);
   read(state.vertex_phase, particles_.phase.current);
   for (pbd::Phase& phase : state.vertex_phase) phase -= world * pieces_of_world_;
-  state.cloth = std::make_shared<pbd::SavedState>();
-  pbd::StateSaver v(device_, *state.cloth, pbd::SavedTo::host);
-  visit_cloth_of(world, v);
 }
 
-/// The steps of all worlds are as long.
 template <class D>
 void DeviceEngine<D>::write_world(uint32_t world, const EngineWorld& state) {
   const auto each = static_cast<uint32_t>(state.position.size()), first = world * each;
@@ -220,16 +241,17 @@ void DeviceEngine<D>::write_world(uint32_t world, const EngineWorld& state) {
   write(particles_.slot.current, std::span<const uint32_t>(slot));
   write(particles_.number.current, std::span(state.number));
   solver_.particles_changed(0, 0);
-  density_.set_multipliers(first, state.multiplier, state.last_density_substep);
-  if (state.last_substep > 0) last_substep_ = state.last_substep;
+  density_.set_multipliers(first, state.multiplier);
   bodies_.set_mean_forces(world, state.body_forces);
-  write_cloth_of(world, state);
+  write_vertices_of(world, state);
+  pbd::StateRestorer v(device_, *state.parts);
+  visit_parts_of(world, v);
+  continue_from(state.last);
   any_overlapping_ = false;
 }
 
 template <class D>
-void DeviceEngine<D>::write_cloth_of(uint32_t world, const EngineWorld& state) {
-  if (!state.cloth) return;
+void DeviceEngine<D>::write_vertices_of(uint32_t world, const EngineWorld& state) {
   const auto each = static_cast<uint32_t>(state.vertex_position.size());
   const uint32_t first = particles_.sorted() + world * each;
   std::vector<pbd::Phase> phase = state.vertex_phase;
@@ -237,13 +259,13 @@ void DeviceEngine<D>::write_cloth_of(uint32_t world, const EngineWorld& state) {
   particles_.position.current.write(state.vertex_position, first);
   particles_.velocity.current.write(state.vertex_velocity, first);
   particles_.phase.current.write(phase, first);
-  pbd::StateRestorer v(device_, *state.cloth);
-  visit_cloth_of(world, v);
 }
 
-/// In a batch one world, otherwise all.
+/// In a batch of one world, otherwise of all.
 template <class D>
-void DeviceEngine<D>::visit_cloth_of(uint32_t world, pbd::StateVisitor& v) {
+void DeviceEngine<D>::visit_parts_of(uint32_t world, pbd::StateVisitor& v) {
+  v.group("grains", [&] { grains_.visit_world(v, world, particles_.sorted() / solver_.worlds()); });
+  if (particles_.vertices() == 0) return;
   const auto visit = [&](const char* name, auto& part) {
     if (vertex_numbers_.size() == 0) return v.part(name, part);
     v.group(name, [&] { part.visit_world(v, world); });

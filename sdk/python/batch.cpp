@@ -47,7 +47,7 @@ void bind_changes(nb::class_<PyBatch>& batch) {
   batch.def(
       "step",
       [](const PyBatch& self, float dt) { return self.run([&](WorldBatch& b) { return b.step(dt); }); },
-      nb::arg("dt"), "Advances the active worlds by dt seconds, which must be that of the steps before.");
+      nb::arg("dt"), "Advances the active worlds by dt seconds.");
   batch.def(
       "reset",
       [](const PyBatch& self, std::optional<Mask> mask) {
@@ -165,6 +165,7 @@ void bind_batch(nb::module_& module) {
   bind_changes(batch);
   bind_readouts(batch);
   bind_batch_bodies(batch);
+  bind_batch_events(batch);
 }
 
 }  // namespace meniscus::python

@@ -10,13 +10,6 @@ namespace meniscus::python {
 
 namespace {
 
-/// Its place in the list of World, or -1.
-template <class Id>
-int64_t place_of(Id id, const std::vector<Id>& ids) {
-  const auto at = std::find(ids.begin(), ids.end(), id);
-  return at == ids.end() ? -1 : at - ids.begin();
-}
-
 nb::object particle_contacts(const PyWorld& self) {
   const auto contacts = self.state->measure([](World& w) { return w.particle_contacts(); });
   std::vector<ParticleId> particles;

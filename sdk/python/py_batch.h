@@ -33,6 +33,8 @@ class PyBatch {
     return call(*batch_);
   }
   std::shared_ptr<void> owner() const { return batch_; }
+  /// Of the archetype.
+  const Things& things() const { return things_; }
 
   PyWorld extract(uint32_t number) const {
     World world = run([&](WorldBatch& b) { return b.extract(number); });
@@ -48,5 +50,7 @@ class PyBatch {
 
 /// Adds what is about bodies.
 void bind_batch_bodies(nb::class_<PyBatch>& batch);
+/// Adds contacts and events.
+void bind_batch_events(nb::class_<PyBatch>& batch);
 
 }  // namespace meniscus::python

@@ -59,6 +59,20 @@ struct Result {
   }
 };
 
+template <class Report>
+void bind_stages(Result<Report>& report) {
+  report.type.def_prop_ro(
+      "stage_ms",
+      [](const Report& self) {
+        nb::dict stages;
+        for (std::size_t i = 0; i < stage_count; ++i)
+          stages[stage_name(static_cast<Stage>(i))] = self.stage_ms[i];
+        return stages;
+      },
+      nb::for_getter(nb::sig("def stage_ms(self) -> dict[str, float]")),
+      "On the device, by stage, summed over the substeps.");
+}
+
 void bind_step_report(nb::module_& module) {
   Result<Overflows>(module, "Overflows", "What exceeded a fixed size in a step, summed over its substeps.")
       .has("cloth_layers", &Overflows::cloth_layers, "Particles near more than three layers of cloth.")
@@ -87,16 +101,7 @@ void bind_step_report(nb::module_& module) {
       .has("diffuse_refused", &StepReport::diffuse_refused, "Those for which there was no room.")
       .has("max_speed", &StepReport::max_speed, "m/s, of particles and of vertices of cloth and ropes.")
       .has("overflows", &StepReport::overflows, "What exceeded a fixed size.");
-  report.type.def_prop_ro(
-      "stage_ms",
-      [](const StepReport& self) {
-        nb::dict stages;
-        for (std::size_t i = 0; i < stage_count; ++i)
-          stages[stage_name(static_cast<Stage>(i))] = self.stage_ms[i];
-        return stages;
-      },
-      nb::for_getter(nb::sig("def stage_ms(self) -> dict[str, float]")),
-      "On the device, by stage, summed over the substeps.");
+  bind_stages(report);
 }
 
 void bind_diagnostics(nb::module_& module) {
@@ -145,13 +150,16 @@ void bind_batches(nb::module_& module) {
       .has("failed", &WorldStatus::failed,
            "Its last step was not finite: it has the state before, and waits for its reset.")
       .has("time", &WorldStatus::time, "s.");
-  Result<BatchReport>(module, "BatchReport", "The results of a step of a batch.")
-      .has("ms", &BatchReport::ms, "Wall clock time.")
-      .has("substeps", &BatchReport::substeps, "Their number.")
+  Result<BatchReport> report(module, "BatchReport", "The results of a step of a batch.");
+  report.has("ms", &BatchReport::ms, "Wall clock time.")
+      .has("substeps", &BatchReport::substeps, "The largest number of any world.")
+      .has("turns", &BatchReport::turns, "In which the worlds have stepped.")
+      .has("rigid_ms", &BatchReport::rigid_ms, "Of Bullet on the host, contained in ms.")
       .has("stepped", &BatchReport::stepped, "Worlds that have advanced.")
       .has("failed", &BatchReport::failed, "Worlds that failed in this step.")
       .has("contacts", &BatchReport::contacts, "Of the last substep, in all worlds.")
       .has("max_neighbours", &BatchReport::max_neighbours, "Of a particle.");
+  bind_stages(report);
 }
 
 }  // namespace

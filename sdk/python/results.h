@@ -4,6 +4,8 @@
 // Results of calls as objects of Python. meniscus/results.py has their classes.
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <vector>
 
 #include "sdk/python/state/handle.h"
@@ -19,6 +21,13 @@ void bind_events(nb::class_<PyWorld>& world);
 void bind_queries(nb::class_<PyWorld>& world);
 /// Adds the arrays of particles to World.
 void bind_particles(nb::class_<PyWorld>& world);
+
+/// Its place in the list of World, or -1.
+template <class Id>
+int64_t place_of(Id id, const std::vector<Id>& ids) {
+  const auto at = std::find(ids.begin(), ids.end(), id);
+  return at == ids.end() ? -1 : at - ids.begin();
+}
 
 /// The thing with this id, or None.
 template <class Id>

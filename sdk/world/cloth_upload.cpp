@@ -236,9 +236,7 @@ void World::Impl::set_engine_cloth() {
   const EngineCloth& cloth = uploaded_cloth ? *uploaded_cloth : none;
   engine->set_cloth(cloth);
   forces_are_on_device &= force_fields.size() == 0;
-  std::vector<uint32_t> attached;
-  for (const collision::BodyAttachment& a : cloth.attachments) attached.push_back(a.body);
-  rigid.keep_awake(attached);
+  rigid.keep_awake(attached_bodies(cloth));
 }
 
 void World::Impl::note_cloth_step(float dt) {

@@ -4,8 +4,11 @@
 // The benchmark of a batch: many small dam breaks in the same launches, with different gravities.
 #include "tests/bench/batch.h"
 
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <functional>
+#include <future>
 
 namespace meniscus::bench {
 
@@ -67,28 +70,76 @@ std::vector<uint8_t> some_worlds(uint32_t worlds, double share, int step) {
   return mask;
 }
 
+/// The worlds of a case, in one or several batches that step at once, each on a host thread.
+class Batches {
+ public:
+  Batches(const CommonOptions& common, const BatchOptions& o, uint32_t worlds) {
+    const World archetype = small_dam(common, o);
+    const auto count = static_cast<uint32_t>(o.batches);
+    for (uint32_t k = 0; k < count; ++k) {
+      const uint32_t first = worlds * k / count, end = worlds * (k + 1) / count;
+      batches_.emplace_back(archetype, BatchDef{end - first, o.rigid_threads});
+      std::vector<Vec3> gravities;
+      for (uint32_t w = first; w < end; ++w)
+        gravities.push_back({0.01f * static_cast<float>(w % 100), -9.81f, 0});
+      batches_.back().set_gravities(gravities);
+    }
+  }
+  /// Resets a share of the worlds, and steps all.
+  BatchReport step(const BatchOptions& o, int number) {
+    const auto step_one = [&](WorldBatch& batch) {
+      if (o.reset > 0) batch.reset(some_worlds(batch.worlds(), o.reset, number));
+      return batch.step(o.frame);
+    };
+    std::vector<std::future<BatchReport>> others;
+    for (size_t k = 1; k < batches_.size(); ++k)
+      others.push_back(std::async(std::launch::async, step_one, std::ref(batches_[k])));
+    BatchReport report = step_one(batches_[0]);
+    for (auto& other : others) report.failed += other.get().failed;
+    return report;
+  }
+  MemoryUse memory() const {
+    MemoryUse sum;
+    for (const WorldBatch& batch : batches_) {
+      sum.bytes += batch.memory_stats().device.bytes;
+      sum.allocations += batch.memory_stats().device.allocations;
+    }
+    return sum;
+  }
+  const WorldBatch& first() const { return batches_[0]; }
+
+ private:
+  std::vector<WorldBatch> batches_;
+};
+
 Json run_case(const CommonOptions& common, const BatchOptions& o, int worlds) {
   using Clock = std::chrono::steady_clock;
-  const auto count = static_cast<uint32_t>(worlds);
-  WorldBatch batch(small_dam(common, o), {count, o.rigid_threads});
-  std::vector<Vec3> gravities(count);
-  for (uint32_t w = 0; w < count; ++w) gravities[w] = {0.01f * static_cast<float>(w % 100), -9.81f, 0};
-  batch.set_gravities(gravities);
-  for (int k = 0; k < o.steps; ++k) batch.step(o.frame);
-  const uint64_t allocations = batch.memory_stats().device.allocations;
+  Batches batches(common, o, static_cast<uint32_t>(worlds));
+  BatchOptions warm = o;
+  warm.reset = 0;
+  for (int k = 0; k < o.steps; ++k) batches.step(warm, k);
+  const uint64_t allocations = batches.memory().allocations;
   std::vector<double> ms;
   uint32_t failed = 0, neighbours = 0;
+  double rigid_ms = 0, turns = 0;
+  std::array<double, stage_count> stage_ms{};
   for (int k = 0; k < o.steps; ++k) {
     const auto start = Clock::now();
-    if (o.reset > 0) batch.reset(some_worlds(count, o.reset, k));
-    const BatchReport report = batch.step(o.frame);
+    const BatchReport report = batches.step(o, k);
     ms.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
     failed += report.failed;
     neighbours = report.max_neighbours;
+    rigid_ms += report.rigid_ms / o.steps;
+    turns += double(report.turns) / o.steps;
+    for (size_t s = 0; s < stage_count; ++s) stage_ms[s] += report.stage_ms[s] / o.steps;
   }
+  Json stages;
+  for (size_t s = 0; s < stage_count; ++s) stages[stage_name(static_cast<Stage>(s))] = stage_ms[s];
+  const WorldBatch& batch = batches.first();
   const double median = quantile(ms, 0.5), all = double(worlds) * double(batch.particle_count());
-  const MemoryUse memory = batch.memory_stats().device;
+  const MemoryUse memory = batches.memory();
   return {{"worlds", worlds},
+          {"batches", o.batches},
           {"particles_each", batch.particle_count()},
           {"bodies_each", batch.body_count()},
           {"cloth_vertices_each", batch.vertex_count()},
@@ -100,6 +151,9 @@ Json run_case(const CommonOptions& common, const BatchOptions& o, int worlds) {
           {"p99_ms", quantile(ms, 0.99)},
           {"world_steps_per_second", 1e3 * double(worlds) / median},
           {"us_per_world", 1e3 * median / worlds},
+          {"turns", turns},
+          {"rigid_ms", rigid_ms},
+          {"stage_ms", stages},
           {"failed", failed},
           {"max_neighbours", neighbours},
           {"allocations", memory.allocations - allocations},
@@ -118,6 +172,8 @@ CLI::App* add_batch(CLI::App& app, BatchOptions& o) {
   batch->add_option("--bodies", o.bodies, "of each world")->check(CLI::Range(0, 1000));
   batch->add_option("--cloth", o.cloth, "vertices along each side of a sheet in each world; 0: none")
       ->check(CLI::IsMember({0}) | CLI::Range(2, 1000));
+  batch->add_option("--batches", o.batches, "that have the worlds, and step at once on host threads")
+      ->check(CLI::Range(1, 64));
   batch->add_option("--rigid-threads", o.rigid_threads, "that step bodies; 0: one a core")
       ->check(CLI::Range(0, 1024));
   batch->add_option("--substeps", o.substeps, "a step");

@@ -16,6 +16,7 @@ struct BatchOptions {
   int bodies = 0;        // of each world
   int cloth = 0;         // vertices along each side of its sheet
   int rigid_threads = 0;
+  int batches = 1;
   int substeps = 4;
   int iterations = 4;
   int steps = 60;    // that are timed

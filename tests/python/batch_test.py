@@ -82,6 +82,28 @@ class BatchTest(unittest.TestCase):
         with self.assertRaisesRegex(meniscus.Error, "kinematic"):
             batch.move_body(0, ball, (0, 0, 0), DT)
 
+    def test_contacts_and_events_are_of_one_world(self):
+        world = archetype()
+        ball = world.add_body(geometry=meniscus.SphereGeometry(radius=0.1), pose=(0.3, 0.3, 0), density=3000)
+        batch = meniscus.WorldBatch(world, worlds=2)
+        batch.set_body_velocity(1, ball, (0, 1, 0), (0, 0, 0))
+        events = []
+        for _ in range(40):
+            batch.step(DT)
+            world.step(DT)
+            got = batch.contact_events(0)
+            self.assertEqual([e.began for e in got], [e.began for e in world.contact_events()])
+            events += got
+        self.assertTrue(events)
+        self.assertEqual((events[0].a, events[0].b), (0, -1))
+        self.assertIs(events[0].began, True)
+        contacts = batch.solid_contacts(0)
+        self.assertEqual(len(contacts.a), len(world.solid_contacts()))
+        self.assertEqual(contacts.points.shape, (len(contacts.a), 3))
+        self.assertEqual(batch.sleep_events(1), [])
+        with self.assertRaisesRegex(meniscus.Error, "world"):
+            batch.contact_events(2)
+
     def test_a_snapshot_is_gone_back_to(self):
         batch = meniscus.WorldBatch(archetype(), worlds=2)
         batch.step(DT)

@@ -12,6 +12,7 @@
 #include <meniscus/types.h>
 #include <meniscus/world_def.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -41,12 +42,15 @@ struct WorldStatus {
 
 /// The results of a step of a batch.
 struct BatchReport {
-  double ms = 0;                ///< wall clock time
-  int substeps = 0;             ///< number
-  uint32_t stepped = 0;         ///< worlds that have advanced
-  uint32_t failed = 0;          ///< worlds that failed in this step
-  uint32_t contacts = 0;        ///< of the last substep, in all worlds
-  uint32_t max_neighbours = 0;  ///< of a particle
+  double ms = 0;                               ///< wall clock time
+  int substeps = 0;                            ///< the largest number of any world
+  int turns = 0;                               ///< in which the worlds have stepped; see WorldBatch::step
+  std::array<double, stage_count> stage_ms{};  ///< on the device, by Stage
+  double rigid_ms = 0;                         ///< time of Bullet on the host, contained in ms
+  uint32_t stepped = 0;                        ///< worlds that have advanced
+  uint32_t failed = 0;                         ///< worlds that failed in this step
+  uint32_t contacts = 0;                       ///< of the last substep, in all worlds; the most of any turn
+  uint32_t max_neighbours = 0;                 ///< of a particle
 };
 
 /// Arrays in the memory of the device, world after world; see World::device_arrays.
@@ -79,8 +83,8 @@ class BatchSnapshot {
 /// alone, whatever its place in the batch and whatever happens in the others (docs/batch.md). Positions are
 /// local to each world.
 ///
-/// The archetype has WorldDef::sums `fixed`. It has fluids and fixed shapes, and either bodies and joints or
-/// cloth. Ropes, granular materials, emitters, sinks, probes, force fields, hooks, viscosity, diffuse
+/// The archetype has WorldDef::sums `fixed`. It has fluids, granular materials, fixed shapes, bodies, joints
+/// and cloth. Ropes, emitters, sinks, probes, force fields, hooks, viscosity, diffuse
 /// particles and periodic axes are refused by name, as are cfl_number, step_budget_ms, density.tolerance, the
 /// device's rigid solver, all density solvers but `jacobi` and `chebyshev`, and cloth that tears, absorbs, is
 /// permeable or is driven.
@@ -103,9 +107,9 @@ class WorldBatch {
   const WorldDef& def() const;         ///< of the archetype
   DeviceInfo device() const;           ///< see World::device
 
-  /// Advances the active worlds by dt seconds, which must be that of the steps before: a world's pressures
-  /// start from those of its last substep. A world with a result that is not finite keeps the state before,
-  /// and fails; the others do not notice. Throws Error(invalid_argument) for another dt.
+  /// Advances the active worlds by dt seconds. A world with a result that is not finite keeps the state
+  /// before, and fails; the others do not notice. Worlds that need other numbers of substeps, or whose last
+  /// substeps had other lengths, take turns. Each turn costs as much as a step of all worlds.
   BatchReport step(float dt);
   /// Gives the archetype's state to the worlds with mask ≠ 0, with its time and pressures. Their gravity and
   /// whether they are active stay. Empty: all worlds.
@@ -139,6 +143,11 @@ class WorldBatch {
   std::span<const Vec3> velocities() const;     ///< m/s, likewise
   /// Worlds × bodies; those of a world by the index of their ids. Valid until the next call.
   std::span<const BodyState> body_states() const;
+  /// Of one world, as World's calls of these names; with the ids of the archetype. A world that failed, was
+  /// reset or was replaced has no events until its next step.
+  std::vector<SolidContact> solid_contacts(uint32_t world) const;
+  std::vector<ContactEvent> contact_events(uint32_t world) const;  ///< of its last step
+  std::vector<SleepEvent> sleep_events(uint32_t world) const;      ///< likewise
   /// m, worlds × vertices; those of a world in the order of World::cloth_ids.
   std::span<const Vec3> cloth_positions() const;
   std::span<const Vec3> cloth_velocities() const;  ///< m/s, likewise

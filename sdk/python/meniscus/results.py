@@ -173,6 +173,34 @@ class BatchArrays(NamedTuple):
     cloth_velocities: DeviceArray | None  # float32, m/s
 
 
+class BatchContacts(NamedTuple):
+    """Contacts of the solids of one world of a WorldBatch, one element a contact. The second is a body or a shape."""
+
+    a: NDArray[np.int64]  # places in World.bodies of the archetype
+    b: NDArray[np.int64]  # likewise, or -1
+    shapes: NDArray[np.int64]  # places in World.shapes, or -1
+    points: NDArray[np.float32]  # m, on the second
+    normals: NDArray[np.float32]  # unit, from the second to the first
+    distances: NDArray[np.float32]  # m, negative where they overlap
+    impulses: NDArray[np.float32]  # N·s along the normals, in the last step of Bullet
+
+
+class BatchContactEvent(NamedTuple):
+    """Two solids of one world of a WorldBatch that began or ceased to touch in its last step."""
+
+    a: int  # place in World.bodies of the archetype
+    b: int  # likewise, or -1
+    shape: int  # place in World.shapes, or -1
+    began: bool  # else they ceased to touch
+
+
+class BatchSleepEvent(NamedTuple):
+    """A body of one world of a WorldBatch that fell asleep or woke in its last step."""
+
+    body: int  # place in World.bodies of the archetype
+    awake: bool  # whether it woke; else it fell asleep
+
+
 class BatchBodies(NamedTuple):
     """The bodies of a WorldBatch, worlds × bodies × 3 or 4, in the order of their creation."""
 

@@ -10,6 +10,7 @@
 
 #include "sdk/world/batch/batch_impl.h"
 #include "sdk/world/check/check.h"
+#include "sdk/world/queries/solid_events.h"
 #include "sdk/world/state/hashed_elements.h"
 
 namespace meniscus {
@@ -65,6 +66,44 @@ void WorldBatch::Impl::hash_worlds(std::span<uint64_t> out) const {
   engine().hash_worlds(out);
   for (uint32_t w = 0; w < worlds && bodies_each > 0; ++w)
     out[w] += hash_bodies(host().bodies, engine().rigid_worlds().world(w));
+}
+
+// ---- contacts and events ----
+
+BodyId WorldBatch::Impl::body_id(uint32_t number) const {
+  return *std::ranges::find(ids, number, &BodyId::index);
+}
+
+ShapeId WorldBatch::Impl::shape_id(uint32_t number) const {
+  return *std::ranges::find(shape_ids, number, &ShapeId::index);
+}
+
+std::vector<SolidContact> WorldBatch::solid_contacts(uint32_t world) const {
+  impl_->check_world("solid_contacts", world);
+  if (impl_->bodies_each == 0) return {};
+  return impl_->run(
+      [&] { return named_contacts(impl_->engine().rigid_worlds().world(world).contacts(), *impl_); },
+      "solid_contacts");
+}
+
+std::vector<ContactEvent> WorldBatch::contact_events(uint32_t world) const {
+  impl_->check_world("contact_events", world);
+  if (impl_->bodies_each == 0) return {};
+  const collision::RigidNews& news = impl_->engine().rigid_worlds().news(world);
+  return contact_events_between(news.touches_before, news.touches, *impl_);
+}
+
+std::vector<SleepEvent> WorldBatch::sleep_events(uint32_t world) const {
+  impl_->check_world("sleep_events", world);
+  std::vector<SleepEvent> events;
+  if (impl_->bodies_each == 0) return events;
+  const collision::RigidNews& news = impl_->engine().rigid_worlds().news(world);
+  for (const BodyId id : impl_->ids) {
+    const bool was = id.index >= news.awake_before.size() || news.awake_before[id.index] != 0;
+    const bool is = id.index >= news.awake.size() || news.awake[id.index] != 0;
+    if (was != is) events.push_back({id, is});
+  }
+  return events;
 }
 
 std::size_t WorldBatch::body_count() const {
@@ -145,7 +184,7 @@ bool are_alike(const collision::RigidWorld& a, const collision::RigidWorld& b) {
   return true;
 }
 
-/// Whether cloth has the same triangles, lengths at rest, masses, fabrics and held vertices.
+/// Whether cloth has the same triangles, lengths at rest, masses, fabrics, held vertices and attachments.
 bool are_alike(const EngineCloth& a, const EngineCloth& b) {
   const auto same = [](const auto& x, const auto& y, const auto& equal) {
     return std::equal(x.begin(), x.end(), y.begin(), y.end(), equal);
@@ -161,6 +200,10 @@ bool are_alike(const EngineCloth& a, const EngineCloth& b) {
               [](const cloth::EdgeConstraint& x, const cloth::EdgeConstraint& y) {
                 return x.a == y.a && x.b == y.b && x.rest_length == y.rest_length &&
                        x.compliance == y.compliance;
+              }) &&
+         same(a.attachments, b.attachments,
+              [](const collision::BodyAttachment& x, const collision::BodyAttachment& y) {
+                return x.vertex == y.vertex && x.body == y.body && x.anchor == y.anchor;
               });
 }
 
@@ -171,7 +214,12 @@ World WorldBatch::Impl::extract(uint32_t world) const {
   WorldDef def = made.def();
   def.gravity = gravities[world];
   if (def.gravity != made.def().gravity) made.set_def(def);
-  const EngineWorld state = run([&] { return engine().read_world(world); }, "extract");
+  const EngineWorld state = run(
+      [&] {
+        engine().continue_from(last[world]);
+        return engine().read_world(world);
+      },
+      "extract");
   World::Impl& to = *made.impl_;
   to.run([&](auto) {
     to.with_all();
@@ -190,7 +238,7 @@ World WorldBatch::Impl::extract(uint32_t world) const {
     if (placed[world]) to.engine->place_bodies();  // which notes what they overlap
     to.state_changed();
     to.time = status[world].time;
-    if (to.time > archetype.time()) to.last_substep = state.last_substep;
+    if (to.time > archetype.time()) to.last_substep = state.last.of_all;
   });
   return made;
 }
@@ -205,7 +253,7 @@ void WorldBatch::Impl::check_insert(World::Impl& state) const {
   expect_same("joints", state.joints.size(), own.joints.size());
   expect_same("pieces of cloth", state.cloths.size(), own.cloths.size());
   if (vertices_each > 0 && !are_alike(*state.uploaded_cloth, *own.uploaded_cloth))
-    refuse_insert("the world has other cloth, or holds other vertices");
+    refuse_insert("the world has other cloth, or other vertices are held or attached");
   std::vector<uint32_t> fluids(each), others(each);
   own.engine->read_fluids(fluids);
   state.engine->read_fluids(others);
@@ -213,10 +261,6 @@ void WorldBatch::Impl::check_insert(World::Impl& state) const {
   if (state.engine->any_crowd())
     refuse_insert("add_particles() may have crowded particles; step the world until they have parted");
   if (!are_alike(state.rigid, own.rigid)) refuse_insert("the world has other bodies or joints");
-  const float substep = dt > 0 ? dt / static_cast<float>(own.def.substeps) : own.last_substep;
-  if (state.last_substep > 0 && state.last_substep != substep)
-    refuse_insert("the last substep of the world had " + std::to_string(state.last_substep) +
-                  " s, and those of the batch have " + std::to_string(substep));
 }
 
 void WorldBatch::Impl::insert(uint32_t world, const World& state) {
@@ -236,9 +280,13 @@ void WorldBatch::Impl::insert(uint32_t world, const World& state) {
   run(
       [&] {
         engine().write_world(world, particles);
-        if (bodies_each > 0) engine().rigid_worlds().world(world).restore(*rigid);
+        if (bodies_each > 0) {
+          engine().rigid_worlds().world(world).restore(*rigid);
+          engine().rigid_worlds().renew(world);
+        }
         engine().place_worlds(std::vector<uint32_t>(worlds, 0));
         placed[world] = 0;
+        last[world] = particles.last;
         status[world].failed = false;
         status[world].time = from.time;
         changed();

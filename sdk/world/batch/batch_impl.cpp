@@ -44,6 +44,7 @@ WorldBatch::Impl::Impl(const World& archetype_world, const BatchDef& def)
     : archetype(archetype_world.clone()),
       running(archetype_world.clone()),
       ids(archetype_world.body_ids()),
+      shape_ids(archetype_world.shape_ids()),
       worlds(def.worlds),
       each(static_cast<uint32_t>(running.particle_count())) {
   if (worlds < 1 || worlds > most_worlds)
@@ -60,8 +61,11 @@ WorldBatch::Impl::Impl(const World& archetype_world, const BatchDef& def)
   chosen.resize(worlds);
   bad.resize(worlds);
   placed.resize(worlds);
+  waiting.resize(worlds);
   stepping.resize(worlds);
+  substeps.resize(worlds);
   run([&] { make_worlds(def); }, "WorldBatch");
+  last.assign(worlds, kept_last);
   set_gravities(gravities);
 }
 
@@ -77,7 +81,6 @@ void WorldBatch::Impl::check_archetype() const {
     if (count > 0) refuse(std::string(what) + " are not supported");
   }
   w.fluids.for_each([](uint32_t, const ParticleMaterial& m) {
-    if (m.grain.is_grain) refuse("granular materials are not supported");
     if (m.fluid.dynamic_viscosity > 0) refuse("FluidDef::dynamic_viscosity must be 0");
   });
   if (w.cloths.size() > 0) check_cloth();
@@ -86,10 +89,8 @@ void WorldBatch::Impl::check_archetype() const {
     refuse("the archetype's add_particles() may have crowded particles; step it until they have parted");
 }
 
-/// Bodies that come fast at cloth would give all worlds more substeps.
 void WorldBatch::Impl::check_cloth() const {
   const World::Impl& w = host();
-  if (w.bodies.size() > 0) refuse("worlds with cloth and bodies are not supported");
   w.cloths.for_each([&](uint32_t, const ClothEntry& entry) {
     const FabricDef& fabric = entry.def.fabric;
     if (entry.track) refuse("driven cloth is not supported");
@@ -113,9 +114,11 @@ void WorldBatch::Impl::make_worlds(const BatchDef& def) {
     const collision::RigidLayout layout = w.rigid.layout();
     auto threads = std::make_unique<pbd::HostThreads>(def.rigid_threads,
                                                       def.rigid_threads ? ParallelFor{} : w.def.parallel_for);
+    engine().rigid_worlds().keep_news(w.touches, w.awake);
     engine().rigid_worlds().make_many(worlds, std::move(threads), [&] {
       auto made = std::make_unique<collision::RigidWorld>(rigid_world_def(w.def));
       World::Impl::make_rigid(*made, w, layout);
+      if (w.uploaded_cloth) made->keep_awake(attached_bodies(*w.uploaded_cloth));
       return made;
     });
   }
@@ -125,6 +128,7 @@ void WorldBatch::Impl::make_worlds(const BatchDef& def) {
       numbers.push_back(element_number(HashedKind::cloth, owner, v));
   });
   vertices_each = static_cast<uint32_t>(numbers.size());
+  kept_last = engine().last_substeps();
   static const EngineCloth none;
   engine().make_worlds(of_all_worlds(w.solid_shapes(), worlds, bodies_each),
                        w.uploaded_cloth ? *w.uploaded_cloth : none, numbers);
@@ -144,20 +148,6 @@ void WorldBatch::Impl::check_world(const char* call, uint32_t world) const {
 
 // ---- steps ----
 
-/// Multipliers start from those of the last substep, which must have the same length in all worlds, at any
-/// time, also after a reset.
-void WorldBatch::Impl::check_step(float length) const {
-  check::value("WorldBatch::step's dt", length, at_least(1e-12), "s");
-  const World::Impl& w = host();
-  if (dt > 0 && length != dt)
-    check::refuse("WorldBatch::step's dt", std::to_string(length), std::to_string(dt) + ", as before");
-  const float substep = length / static_cast<float>(w.def.substeps);
-  if (w.last_substep > 0 && substep != w.last_substep)
-    check::refuse(
-        "WorldBatch::step's dt", std::to_string(length),
-        "that of the archetype's last step, whose substeps had " + std::to_string(w.last_substep) + " s");
-}
-
 void WorldBatch::Impl::changed() {
   for (auto* readout : {&positions, &velocities, &vertex_positions, &vertex_velocities})
     readout->valid = false;
@@ -167,27 +157,81 @@ void WorldBatch::Impl::changed() {
 BatchReport WorldBatch::Impl::step(float length) {
   const auto start = std::chrono::steady_clock::now();
   BatchReport report;
-  const auto may_step = [](const WorldStatus& s) { return s.active && !s.failed; };
-  if (std::none_of(status.begin(), status.end(), may_step)) return report;
-  for (uint32_t w = 0; w < worlds; ++w) stepping[w] = may_step(status[w]);
-  engine().rigid_worlds().set_stepping(stepping);
-  place_bodies();
-  engine().begin_step(length, host().def.iterations);
-  const EngineStep done = engine().end_step();
-  host().monitor().commit();
+  bool any = false;
+  for (uint32_t w = 0; w < worlds; ++w) {
+    waiting[w] = status[w].active && !status[w].failed;
+    any |= waiting[w] != 0;
+  }
+  if (!any) return report;
   dt = length;
+  engine().rigid_worlds().set_stepping(waiting);
+  engine().find_substeps(length, substeps);
+  const bool are_alike = choose_worlds_alike();
+  are_alike ? step_chosen(report) : step_in_turns(report);
+  host().monitor().commit();
+  report.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return report;
+}
+
+/// Chooses worlds that can step together: they need as many substeps, and start from substeps of the same
+/// length. One that was reset to a state before all steps goes with any. Returns whether no others wait.
+bool WorldBatch::Impl::choose_worlds_alike() {
+  const auto goes_with_any = [&](uint32_t w) { return kept_last.none() && last[w].none(); };
+  uint32_t leader = worlds;
+  for (uint32_t w = 0; w < worlds; ++w) {
+    if (!waiting[w]) continue;
+    if (leader == worlds || (substeps[w] == substeps[leader] && !goes_with_any(w))) leader = w;
+    if (!goes_with_any(leader)) break;
+  }
+  bool are_all = true;
+  for (uint32_t w = 0; w < worlds; ++w) {
+    const bool is_alike = last[w] == last[leader] || goes_with_any(w);
+    stepping[w] = waiting[w] && substeps[w] == substeps[leader] && is_alike;
+    waiting[w] = waiting[w] && !stepping[w];
+    are_all &= waiting[w] == 0;
+  }
+  engine().rigid_worlds().set_stepping(stepping);
+  engine().continue_from(last[leader]);
+  return are_all;
+}
+
+void WorldBatch::Impl::step_chosen(BatchReport& report) {
+  place_bodies();
+  engine().begin_step(dt, host().def.iterations);
+  const EngineStep done = engine().end_step();
   changed();
-  report.substeps = done.result.substeps;
-  report.contacts = done.result.contacts;
-  report.max_neighbours = done.result.max_neighbours;
+  report.substeps = std::max(report.substeps, done.result.substeps);
+  report.contacts = std::max(report.contacts, done.result.contacts);
+  report.max_neighbours = std::max(report.max_neighbours, done.result.max_neighbours);
+  ++report.turns;
+  report.rigid_ms += done.rigid_ms;
+  for (size_t s = 0; s < stage_count; ++s) report.stage_ms[s] += done.stage_ms[s];
   if (done.result.summary.non_finite || done.any_world_failed) {
     engine().count_non_finite(bad);
   } else {
     std::fill(bad.begin(), bad.end(), 0);
   }
   note_failures(report);
-  report.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-  return report;
+}
+
+/// Each turn computes all worlds, and takes back those whose turn it is not. If one fails, all go back.
+void WorldBatch::Impl::step_in_turns(BatchReport& report) {
+  before_turns.start_over();
+  pbd::StateSaver saver(engine().device(), before_turns, pbd::SavedTo::device);
+  visit_state(saver);
+  try {
+    for (bool are_all = false;; are_all = choose_worlds_alike()) {
+      step_chosen(report);
+      if (are_all) return;
+    }
+  } catch (...) {
+    try {
+      restore(before_turns);
+    } catch (const Error& error) {
+      throw pbd::StateLost(error);
+    }
+    throw;
+  }
 }
 
 /// Notes which worlds have advanced. The others go back, those that did not take part as well.
@@ -202,6 +246,7 @@ void WorldBatch::Impl::note_failures(BatchReport& report) {
     report.failed += fails;
     if (chosen[w]) continue;
     s.time += double{dt};
+    last[w] = engine().last_substeps();
     ++report.stepped;
   }
   if (any_back) engine().undo_worlds(chosen);
@@ -214,6 +259,7 @@ void WorldBatch::Impl::reset(std::span<const uint8_t> mask) {
     placed[w] = 0;
     status[w].failed = false;
     status[w].time = archetype.time();
+    last[w] = kept_last;
   }
   engine().reset_worlds(chosen);
   changed();

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "pbd/state/saved_state.h"
+#include "sdk/engine/engine_types.h"
 #include "sdk/world/state/body_calls.h"
 #include "sdk/world/world_boundary.h"
 
@@ -40,7 +41,9 @@ struct WorldBatch::Impl {
   void check_mask(const char* call, std::span<const uint8_t> mask) const;
   void check_world(const char* call, uint32_t world) const;
   BatchReport step(float dt);
-  void check_step(float dt) const;
+  bool choose_worlds_alike();
+  void step_chosen(BatchReport& report);
+  void step_in_turns(BatchReport& report);
   void place_bodies();
   void note_failures(BatchReport& report);
   void reset(std::span<const uint8_t> mask);
@@ -50,6 +53,9 @@ struct WorldBatch::Impl {
   void insert(uint32_t world, const World& state);
   BatchArrays device_arrays();
   const BodyEntry& body(BodyId id) const;
+  // The user's ids of the archetype's solids, by their numbers.
+  BodyId body_id(uint32_t number) const;
+  ShapeId shape_id(uint32_t number) const;
   /// Runs call(its calls) for a body of one world.
   template <class Call>
   void for_body(const char* name, uint32_t world, BodyId id, const Call& call);
@@ -64,20 +70,25 @@ struct WorldBatch::Impl {
   void read_vertices();
 
   World archetype, running;
-  std::vector<BodyId> ids;  // of the bodies, in the user's archetype: a copy of it has others
+  std::vector<BodyId> ids;         // of the bodies, in the user's archetype: a copy of it has others
+  std::vector<ShapeId> shape_ids;  // likewise, of fixed shapes
   uint32_t worlds, each;
   uint32_t bodies_each = 0;  // with numbers that are not in use
   uint32_t vertices_each = 0;
-  float dt = 0;  // s, of all steps; 0: none yet
+  float dt = 0;  // s, of the last step; 0: none yet
   std::vector<WorldStatus> status;
   std::vector<Vec3> gravities;
   std::vector<uint32_t> chosen, bad, placed;  // by world
-  std::vector<uint8_t> stepping;              // by world
+  std::vector<uint8_t> waiting, stepping;     // by world: to be stepped in this call; stepping now
+  std::vector<LastSubsteps> last;             // by world: what its next step starts from
+  LastSubsteps kept_last;                     // what a reset world starts from
+  std::vector<int> substeps;                  // by world, of this step
   CachedReadout<Vec3> positions, velocities;
   CachedReadout<uint64_t> hashes;
   CachedReadout<BodyState> bodies;
   CachedReadout<Vec3> vertex_positions, vertex_velocities;
   BatchArrays arrays;
+  pbd::SavedState before_turns;                               // the state before a step in turns
   std::vector<std::weak_ptr<BatchSnapshot::Data>> snapshots;  // that may still exist
 };
 

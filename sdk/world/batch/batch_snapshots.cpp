@@ -38,13 +38,16 @@ void WorldBatch::Impl::visit_state(pbd::StateVisitor& v) {
   v.values("failed", std::span(failed));
   v.values("gravity", std::span(gravities));
   v.values("placed", std::span(placed));
+  v.values("last_substeps", std::span(last));
   v.group("engine", [&] { engine().visit_worlds(v); });
   for (uint32_t w = 0; w < worlds && bodies_each > 0; ++w) {
     collision::RigidWorld& rigid = engine().rigid_worlds().world(w);
     const collision::RigidWorld::SnapshotPtr state = collision::RigidWorld::make_snapshot();
     if (!v.restores()) rigid.save(*state);
     v.group("rigid" + std::to_string(w), [&] { rigid.visit_snapshot(*state, v); });
-    if (v.restores()) rigid.restore(*state);
+    if (!v.restores()) continue;
+    rigid.restore(*state);
+    engine().rigid_worlds().renew(w);
   }
   for (uint32_t w = 0; w < worlds; ++w) status[w] = {active[w] != 0, failed[w] != 0, times[w]};
 }

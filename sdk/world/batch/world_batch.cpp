@@ -82,7 +82,7 @@ DeviceInfo WorldBatch::device() const {
 }
 
 BatchReport WorldBatch::step(float dt) {
-  impl_->check_step(dt);
+  check::value("WorldBatch::step's dt", dt, at_least(1e-12), "s");
   return impl_->run([&] { return impl_->step(dt); }, "step");
 }
 

@@ -4,6 +4,7 @@
 // World's read-outs of contacts.
 #include <meniscus/world.h>
 
+#include "sdk/world/queries/solid_events.h"
 #include "sdk/world/world_calls.h"
 
 namespace meniscus {
@@ -30,16 +31,7 @@ std::vector<ParticleContact> World::Calls::particle_contacts() const {
 }
 
 std::vector<SolidContact> World::Calls::solid_contacts() const {
-  std::vector<SolidContact> contacts;
-  for (const collision::RigidContact& c : impl_->rigid.contacts()) {
-    SolidContact contact{impl_->body_id(c.a.number), {}, {}, c.point, c.normal, c.distance, c.impulse};
-    if (c.b.is_body)
-      contact.b = impl_->body_id(c.b.number);
-    else
-      contact.shape = impl_->shape_id(c.b.number);
-    contacts.push_back(contact);
-  }
-  return contacts;
+  return named_contacts(impl_->rigid.contacts(), *impl_);
 }
 
 }  // namespace meniscus

@@ -3,29 +3,15 @@
 //
 // What began and ended in a step: touches, sleep, and particles that come and go.
 #include <algorithm>
-#include <iterator>
-#include <tuple>
 
+#include "sdk/world/queries/solid_events.h"
 #include "sdk/world/world_calls.h"
 
 namespace meniscus {
 
-namespace {
-
-using collision::RigidRef;
-using collision::RigidTouch;
-
-bool before(const RigidTouch& x, const RigidTouch& y) {
-  const auto key = [](const RigidTouch& t) {
-    return std::tuple(!t.a.is_body, t.a.number, !t.b.is_body, t.b.number);
-  };
-  return key(x) < key(y);
-}
-
-}  // namespace
-
 /// Drops the touches of solids that were removed since the last step.
 void World::Impl::forget_touches() {
+  using collision::RigidRef, collision::RigidTouch;
   const auto key = [](const RigidRef& r) { return std::pair(r.is_body, r.number); };
   std::ranges::sort(forgotten, {}, key);
   const auto is_gone = [&](const RigidRef& r) {
@@ -38,22 +24,8 @@ void World::Impl::forget_touches() {
 /// Compares the touching pairs with those of the step before.
 void World::Impl::note_events() {
   forget_touches();
-  std::vector<RigidTouch> now = rigid.touches(), began, ended;
-  std::set_difference(now.begin(), now.end(), touches.begin(), touches.end(), std::back_inserter(began),
-                      before);
-  std::set_difference(touches.begin(), touches.end(), now.begin(), now.end(), std::back_inserter(ended),
-                      before);
-  events.clear();
-  const auto note = [&](const RigidTouch& touch, bool begins) {
-    ContactEvent event{body_id(touch.a.number), {}, {}, begins};
-    if (touch.b.is_body)
-      event.b = body_id(touch.b.number);
-    else
-      event.shape = shape_id(touch.b.number);
-    events.push_back(event);
-  };
-  for (const RigidTouch& touch : began) note(touch, true);
-  for (const RigidTouch& touch : ended) note(touch, false);
+  std::vector<collision::RigidTouch> now = rigid.touches();
+  events = contact_events_between(touches, now, *this);
   touches = std::move(now);
 }
 
@@ -69,7 +41,7 @@ void World::Impl::note_sleep() {
 }
 
 /// Notes that a solid is removed. Takes memory before it changes anything.
-void World::Impl::forget_solid(const RigidRef& solid) {
+void World::Impl::forget_solid(const collision::RigidRef& solid) {
   if (forgotten.size() == forgotten.capacity()) forgotten.reserve(2 * forgotten.size() + 1);
   if (removed_solids.size() == removed_solids.capacity())
     removed_solids.reserve(2 * removed_solids.size() + 1);

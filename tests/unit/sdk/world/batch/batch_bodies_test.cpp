@@ -4,39 +4,11 @@
 // Bodies of a world in a batch move bit for bit as those of a world alone.
 #include <gtest/gtest.h>
 
-#include "tests/unit/sdk/world/batch_worlds.h"
+#include "tests/unit/sdk/world/batch/batch_archetypes.h"
+#include "tests/unit/sdk/world/batch/batch_worlds.h"
 
 namespace meniscus::tests {
 namespace {
-
-/// A block of water that falls apart around a box on the floor, a float, two bodies on a hinge, and a paddle.
-struct Pool {
-  World world;
-  BodyId box, ball, arm, paddle;
-};
-
-Pool pool(const WorldDef& def) {
-  Pool made{World(def), {}, {}, {}, {}};
-  World& world = made.world;
-  const FluidId water = world.create_fluid({});
-  ShapeDef walls = tank({0, 0, 0}, {1, 1, 0.5f});
-  std::get<ContainerGeometry>(walls.geometry).openings = {{Face::y_high}};
-  world.create_shape(walls);
-  made.box = world.create_body(validation::body(BoxGeometry{{0.1f, 0.1f, 0.1f}}, {0.7f, 0.1f, 0.25f}, 1500));
-  made.ball = world.create_body(validation::body(SphereGeometry{0.1f}, {0.25f, 0.75f, 0.25f}, 400));
-  BodyDef arm = validation::body(BoxGeometry{{0.15f, 0.05f, 0.05f}}, {0.65f, 0.6f, 0.25f}, 600);
-  made.arm = world.create_body(arm);
-  JointDef hinge;
-  hinge.a = made.arm;
-  hinge.frame.position = {0.8f, 0.6f, 0.25f};
-  hinge.kind = HingeJoint{};
-  world.create_joint(hinge);
-  BodyDef paddle = validation::body(BoxGeometry{{0.03f, 0.2f, 0.2f}}, {0.95f, 0.5f, 0.25f}, 1000);
-  paddle.motion = BodyMotion::kinematic;
-  made.paddle = world.create_body(paddle);
-  world.add_fluid(block(water, {0, 0, 0}, {0.5f, 0.6f, 0.5f}));
-  return made;
-}
 
 Pose at(Vec3 position) {
   Pose pose;
@@ -53,15 +25,6 @@ class BatchBodiesTest : public BatchOnDevice {
     return pool(own);
   }
 };
-
-TEST_P(BatchBodiesTest, AWorldIsAsItIsAlone) {
-  expect_as_alone(1, 2, 1, 40);
-  expect_as_alone(7, 0, 1, 40);
-}
-
-TEST_P(BatchBodiesTest, SoItIsAtAnyPlaceAmongMany) {
-  expect_as_alone(many(), 3, 2, 20);
-}
 
 TEST_P(BatchBodiesTest, StatesAreThoseOfAWorldAlone) {
   WorldBatch made = batch(3);
@@ -81,15 +44,6 @@ TEST_P(BatchBodiesTest, StatesAreThoseOfAWorldAlone) {
   EXPECT_GT(length(all[4].fluid_force), 1.0f) << "the box stands in water";
 }
 
-TEST_P(BatchBodiesTest, AResetWorldIsAFreshOne) {
-  WorldBatch made = batch(4);
-  run_batch(made, 30);
-  made.reset(mask_of(4, {1, 3}));
-  run_batch(made, 100);
-  for (uint32_t w = 0; w < 4; ++w)
-    EXPECT_EQ(made.state_hashes()[w], alone(w, w % 2 ? 100 : 130)) << "world " << w;
-}
-
 /// Manifolds, their warm starts, and what bodies have been used to are of that state.
 TEST_P(BatchBodiesTest, StartsFromBodiesThatHaveSettled) {
   Pool own = pool(def());
@@ -104,15 +58,6 @@ TEST_P(BatchBodiesTest, StartsFromBodiesThatHaveSettled) {
   EXPECT_EQ(made.state_hashes()[1], own.world.state_hash());
   run(own.world, 15, batch_dt);
   EXPECT_EQ(made.state_hashes()[0], own.world.state_hash());
-}
-
-TEST_P(BatchBodiesTest, AnExtractedWorldGoesOn) {
-  WorldBatch made = batch(7);
-  run_batch(made, 25);
-  World world = made.extract(3);
-  EXPECT_EQ(world.state_hash(), made.state_hashes()[3]);
-  run(world, 15, batch_dt);
-  EXPECT_EQ(world.state_hash(), alone(3, 40));
 }
 
 TEST_P(BatchBodiesTest, AnInsertedWorldGoesOn) {
@@ -157,6 +102,58 @@ TEST_P(BatchBodiesTest, CallsActInOneWorld) {
   }
 }
 
+/// Ids are those of the archetype: their indices are the same.
+TEST_P(BatchBodiesTest, ContactsAndEventsAreThoseOfAWorldAlone) {
+  const Pool names = pool(def());
+  WorldBatch made(names.world, {3});
+  made.set_gravities(std::vector<Vec3>{gravity_of(0), gravity_of(1), gravity_of(2)});
+  Pool own = pool_of_kind(1);
+  size_t events = 0;
+  for (int k = 0; k < 60; ++k) {
+    made.step(batch_dt);
+    own.world.step(batch_dt);
+    const std::vector<ContactEvent> got = made.contact_events(1);
+    const std::vector<ContactEvent> expected = own.world.contact_events();
+    ASSERT_EQ(got.size(), expected.size()) << "step " << k;
+    for (size_t n = 0; n < got.size(); ++n) {
+      EXPECT_EQ(got[n].a.index, expected[n].a.index);
+      EXPECT_EQ(got[n].b.index, expected[n].b.index);
+      EXPECT_EQ(got[n].shape.index, expected[n].shape.index);
+      EXPECT_EQ(got[n].began, expected[n].began);
+    }
+    events += got.size();
+    EXPECT_EQ(made.sleep_events(1).size(), own.world.sleep_events().size());
+  }
+  EXPECT_GT(events, 2u);
+  const std::vector<SolidContact> got = made.solid_contacts(1), expected = own.world.solid_contacts();
+  ASSERT_EQ(got.size(), expected.size());
+  ASSERT_GT(got.size(), 0u);
+  for (size_t n = 0; n < got.size(); ++n) {
+    EXPECT_EQ(got[n].a.index, expected[n].a.index);
+    EXPECT_EQ(got[n].point, expected[n].point);
+    EXPECT_EQ(got[n].impulse, expected[n].impulse);
+  }
+  EXPECT_EQ(got[0].a, names.box) << "the ids are those of the archetype";
+}
+
+TEST_P(BatchBodiesTest, AWorldThatGoesBackHasNoEvents) {
+  const Pool names = pool(def());
+  WorldBatch made(names.world, {2});
+  const auto step_to_events = [&] {
+    for (int k = 0; k < 60 && made.contact_events(1).empty(); ++k) made.step(batch_dt);
+    EXPECT_FALSE(made.contact_events(1).empty());
+  };
+  step_to_events();
+  made.reset(mask_of(2, {1}));
+  EXPECT_TRUE(made.contact_events(1).empty());
+  EXPECT_TRUE(made.solid_contacts(1).empty());
+  step_to_events();
+  made.apply_force(1, names.ball, {0, 3e38f, 0});
+  EXPECT_EQ(made.step(batch_dt).failed, 1u);
+  EXPECT_TRUE(made.contact_events(1).empty());
+  EXPECT_THROW(made.contact_events(2), Error);
+}
+
 /// A body that is thrown out of the range of floats.
 TEST_P(BatchBodiesTest, AWorldWithABodyThatFailsGoesBackAlone) {
   const Pool names = pool(def());
@@ -175,29 +172,6 @@ TEST_P(BatchBodiesTest, AWorldWithABodyThatFailsGoesBackAlone) {
   made.reset(mask_of(7, {4}));
   run_batch(made, 26);
   EXPECT_EQ(made.state_hashes()[4], own.world.state_hash());
-}
-
-TEST_P(BatchBodiesTest, APausedWorldStays) {
-  WorldBatch made = batch(3);
-  run_batch(made, 10);
-  made.set_active(mask_of(3, {0, 2}));
-  run_batch(made, 10);
-  EXPECT_EQ(made.state_hashes()[1], alone(1, 10));
-  made.set_active(mask_of(3, {0, 1, 2}));
-  run_batch(made, 10);
-  EXPECT_EQ(made.state_hashes()[1], alone(1, 20));
-  EXPECT_EQ(made.state_hashes()[2], alone(2, 30));
-}
-
-TEST_P(BatchBodiesTest, AWarmStepAllocatesNothing) {
-  WorldBatch made = batch(3);
-  run_batch(made, 60);
-  made.reset(mask_of(3, {1}));
-  run_batch(made, 5);
-  const size_t before = made.memory_stats().device.allocations;
-  made.reset(mask_of(3, {1}));
-  run_batch(made, 5);
-  EXPECT_EQ(made.memory_stats().device.allocations, before);
 }
 
 TEST_P(BatchBodiesTest, ThreadsDoNotChangeBits) {
@@ -220,21 +194,11 @@ TEST_P(BatchBodiesTest, ChecksItsArguments) {
   expect_refused("dynamic bodies alone", [&] { made.set_body_velocity(0, names.paddle, {}, {}); });
   expect_refused("kinematic bodies alone", [&] { made.move_body(0, names.box, {}, 1); });
   expect_refused("BatchDef::rigid_threads", [&] { WorldBatch(names.world, {2, -1}); });
-  WorldDef on_device = def();
-  on_device.rigid.solver = RigidSolver::device;
-  expect_refused("rigid.solver", [&] {
-    World world(on_device);
-    world.add_fluid(block(world.create_fluid({}), {0, 0, 0}, {0.5f, 0.6f, 0.5f}));
-    WorldBatch(world, {2});
-  });
   EXPECT_THROW(made.apply_torque(0, pool(def()).box, {0, 0, 1}), Error) << "an id of another world";
   Pool more = pool(def());
   more.world.create_body(validation::body(SphereGeometry{0.05f}, {0.5f, 0.9f, 0.25f}, 400));
   expect_refused("5 bodies", [&] { made.insert(0, more.world); });
-  Pool stepped = pool(def());
-  stepped.world.step(2 * batch_dt);
   made.step(batch_dt);
-  expect_refused("last substep", [&] { made.insert(0, stepped.world); });
   EXPECT_EQ(made.state_hashes()[0], made.state_hashes()[1]);
 }
 

@@ -29,12 +29,14 @@ inline void run_batch(WorldBatch& batch, int steps) {
 }
 
 /// Tests of worlds that are alone and in batches, in five kinds of gravity.
-class BatchOnDevice : public OnDevice {
+class BatchRuns {
  protected:
+  virtual ~BatchRuns() = default;
+  virtual pbd::DeviceKind device() const = 0;
   virtual World archetype(const WorldDef& def) const = 0;
 
-  WorldDef def() const { return batch_def(GetParam()); }
-  uint32_t many() const { return GetParam() == pbd::DeviceKind::cuda ? 1024 : 64; }
+  WorldDef def() const { return batch_def(device()); }
+  uint32_t many() const { return device() == pbd::DeviceKind::cuda ? 1024 : 64; }
   World of_kind(uint32_t kind) const {
     WorldDef own = def();
     own.gravity = gravity_of(kind);
@@ -62,6 +64,11 @@ class BatchOnDevice : public OnDevice {
       EXPECT_EQ(made.state_hashes()[w], expected[(first + stride * w) % 5])
           << "world " << w << " of " << worlds;
   }
+};
+
+class BatchOnDevice : public OnDevice, protected BatchRuns {
+ protected:
+  pbd::DeviceKind device() const override { return GetParam(); }
 };
 
 /// A mask of so many worlds with these in it.
