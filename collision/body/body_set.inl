@@ -285,9 +285,9 @@ void BodySet<D>::start_step() {
   worlds_.start_step();
   if (world_.is_on_device()) {  // this thread alone uses the device
     worlds_.save_bodies();
-    return worlds_.save_contacts();
+    return worlds_.keep_contacts();
   }
-  side_.run([this] { worlds_.save_contacts(); });
+  side_.run([this] { worlds_.keep_contacts(); });
   worlds_.save_bodies();
 }
 

@@ -62,10 +62,13 @@ void RigidWorld::Impl::part_resting(bool fall) {
 
 /// Wakes all of each island of which a body has been woken. Returns whether there were any.
 bool RigidWorld::Impl::wake_islands() {
+  if (!may_have_islands) return false;
   std::vector<bool> woken(bodies.slots.size());
   bool any = false;
+  may_have_islands = false;
   for_each_body([&](uint32_t, const RigidBodyRecord& body) {
     const uint32_t island = body.memory.island;
+    may_have_islands |= island != pbd::no_index;
     if (island == pbd::no_index || !body.bullet->isActive()) return;
     if (woken.size() <= island) woken.resize(island + 1);
     woken[island] = any = true;
@@ -88,18 +91,15 @@ void RigidWorld::Impl::wake_beside_driven() {
     if (body && body->kinematic && moves(*body->bullet)) wake_overlapping(*body->bullet);
 }
 
-/// Wakes the islands that a body touches which is awake.
+/// Wakes the islands that a body touches which is awake. gather_bodies() has seen whether any body sleeps.
 bool RigidWorld::Impl::wake_touched() {
+  if (!any_asleep) return false;
   const auto asleep = [&](uint32_t n) {
     return bodies.has(n) && !bodies.slots[n]->kinematic && !bodies.slots[n]->bullet->isActive();
   };
   const auto wakes = [&](uint32_t n) {
     return bodies.has(n) && !bodies.slots[n]->kinematic && bodies.slots[n]->bullet->isActive();
   };
-  const auto slots = static_cast<uint32_t>(bodies.slots.size());
-  bool any = false;
-  for (uint32_t n = 0; n < slots && !any; ++n) any = asleep(n);
-  if (!any) return false;
   for (const ContactBodies& c : contacts->found()) {
     if (asleep(c.a) && wakes(c.b)) wake_up(*bodies.slots[c.a]->bullet);
     if (asleep(c.b) && wakes(c.a)) wake_up(*bodies.slots[c.b]->bullet);
@@ -135,8 +135,9 @@ void RigidWorld::Impl::wake_overlapping(btRigidBody& changed) {
 }
 
 /// Counts how long each body has rested. A body with a steady push swings within each step, so its speed is
-/// that of its displacement.
-void RigidWorld::Impl::note_rest(float dt) {
+/// that of its displacement. Returns whether any has rested for long enough to fall asleep.
+bool RigidWorld::Impl::note_rest(float dt) {
+  bool any = false;
   for (uint32_t n = 0; n < bodies.slots.size(); ++n) {
     if (!bodies.has(n)) continue;
     RigidBodyRecord& body = *bodies.slots[n];
@@ -146,7 +147,9 @@ void RigidWorld::Impl::note_rest(float dt) {
     const bool is_slow = length(mean.linear) < b.getLinearSleepingThreshold() &&
                          length(mean.angular) < b.getAngularSleepingThreshold();
     b.setDeactivationTime(is_slow && !body.kept_awake ? b.getDeactivationTime() + dt : 0);
+    any |= b.wantsSleeping();
   }
+  return any;
 }
 
 void RigidWorld::Impl::fall_asleep() {
@@ -155,9 +158,6 @@ void RigidWorld::Impl::fall_asleep() {
     return bodies.has(n) && !bodies.slots[n]->kinematic && bodies.slots[n]->bullet->isActive() &&
            bodies.slots[n]->bullet->wantsSleeping();
   };
-  bool any = false;
-  for (uint32_t n = 0; n < slots && !any; ++n) any = is_ready(n);
-  if (!any) return;
   Islands islands(slots);
   std::vector<bool> restless(slots);
   const std::vector<ContactBodies> touching = contacts->found();
@@ -172,7 +172,7 @@ void RigidWorld::Impl::fall_asleep() {
   }
   for (uint32_t n = 0; n < slots; ++n)
     if (is_dynamic(n) && !is_ready(n)) restless[islands.find(n)] = true;
-  any = false;
+  bool any = false;
   for (uint32_t n = 0; n < slots; ++n) {
     if (!is_ready(n) || restless[islands.find(n)]) continue;
     btRigidBody& b = *bodies.slots[n]->bullet;
@@ -182,6 +182,7 @@ void RigidWorld::Impl::fall_asleep() {
     any = true;
   }
   if (!any) return;
+  may_have_islands = true;
   for (const auto& body : bodies.slots)
     if (body && body->memory.island != pbd::no_index) body->bullet->forceActivationState(ISLAND_SLEEPING);
   part_resting(true);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "collision/rigid/rigid_impl.h"
 #include "collision/rigid/tuning.h"
@@ -65,7 +66,9 @@ void RigidWorld::Impl::gather_bodies(float dt, bool pushed) {
   contact_bodies.assign(bodies.slots.size(),
                         ContactBody{{}, {0, 0, 0}, {0, 0, 0}, 0, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 1, 1});
   contact_motions.resize(bodies.slots.size());
+  any_asleep = false;
   for_each_body([&](uint32_t n, const RigidBodyRecord& body) {
+    any_asleep |= !body.kinematic && !body.bullet->isActive();
     contact_bodies[n] = contact_body(body, dt / static_cast<float>(small_steps()), pushed);
   });
 }
@@ -95,6 +98,14 @@ void RigidWorld::Impl::try_unpushed(float dt) {
   find_on_device(dt, false);
   contacts->advance(contact_bodies, contact_step(dt), contact_motions);
   unpushed = contact_motions;
+  tried_bodies = contact_bodies;
+}
+
+/// Whether the bodies are, bit for bit, those of try_unpushed(): then so is the step.
+bool RigidWorld::Impl::is_tried() const {
+  return tried_bodies.size() == contact_bodies.size() &&
+         std::memcmp(tried_bodies.data(), contact_bodies.data(), tried_bodies.size() * sizeof(ContactBody)) ==
+             0;
 }
 
 /// Where solids alone take a body that begin_on_device() tried, as a motion over `dt`.
@@ -134,7 +145,10 @@ void RigidWorld::Impl::step_on_device(float dt, bool is_first) {
     gather_bodies(dt, true);
   else
     find_on_device(dt, true);
-  contacts->advance(contact_bodies, contact_step(dt), contact_motions);
+  if (is_first && is_tried())
+    contact_motions = unpushed;
+  else
+    contacts->advance(contact_bodies, contact_step(dt), contact_motions);
   contacts->accept();
   for (uint32_t n = 0; n < bodies.slots.size(); ++n) {
     if (!bodies.has(n) || bodies.slots[n]->kinematic || !bodies.slots[n]->bullet->isActive()) continue;
@@ -142,8 +156,7 @@ void RigidWorld::Impl::step_on_device(float dt, bool is_first) {
     arrive(*bodies.slots[n], contact_motions[n]);
   }
   boxes_changed = true;
-  note_rest(dt);
-  fall_asleep();
+  if (note_rest(dt)) fall_asleep();
 }
 
 /// Forces act in all small steps alike, so a body that falls gets further by half of the last one.
@@ -177,6 +190,20 @@ std::vector<RigidContact> RigidWorld::Impl::contacts_on_device() const {
   };
   std::ranges::for_each(contacts->save(), add);
   std::ranges::for_each(resting, add);
+  return all;
+}
+
+/// The solids that touched. A pair may come more than once.
+std::vector<RigidTouch> RigidWorld::Impl::touches_on_device() const {
+  std::vector<RigidTouch> all;
+  if (!contacts) return all;
+  const auto add = [&](uint64_t key_a, uint64_t key_b) {
+    const RigidRef a = solid_of_key(key_a), b = solid_of_key(key_b);
+    if (!is_removed(a) && !is_removed(b)) all.push_back({a, b});
+  };
+  for (const TouchingParts& pair : contacts->touching()) add(pair.a, pair.b);
+  for (const SavedContact& c : resting)
+    if (c.distance <= 0 || c.impulse > 0) add(c.key_a, c.key_b);
   return all;
 }
 

@@ -196,6 +196,14 @@ void RigidWorld::Impl::predict_jointed(float dt, std::span<RigidMotion> motions)
   for (size_t k = 0; k < all.flights.size(); ++k) motions[all.numbers[k]] = all.flights[k].mean();
 }
 
+/// The motion of a kinematic body.
+RigidMotion RigidWorld::Impl::driven_motion(const RigidBodyRecord& body, float dt) const {
+  const Pose start = body.memory.pose * body.shape.frame;
+  const Pose target = kinematic_pose(body, time + dt) * body.shape.frame;
+  const KinematicVelocity v = velocity_to(start, target, dt);
+  return {start, v.linear, v.angular};
+}
+
 void RigidWorld::predict(float dt, std::span<RigidMotion> out) const {
   assert(out.size() >= body_slots());
   std::ranges::fill(out, RigidMotion{{}, {0, 0, 0}, {0, 0, 0}});
@@ -203,10 +211,7 @@ void RigidWorld::predict(float dt, std::span<RigidMotion> out) const {
     if (dt == 0) {
       out[n].start = from_bullet(body.bullet->getWorldTransform());
     } else if (body.kinematic) {
-      const Pose start = body.memory.pose * body.shape.frame;
-      const Pose target = impl_->kinematic_pose(body, impl_->time + dt) * body.shape.frame;
-      const KinematicVelocity v = velocity_to(start, target, dt);
-      out[n] = {start, v.linear, v.angular};
+      out[n] = impl_->driven_motion(body, dt);
     } else if (!body.bullet->isActive()) {
       out[n] = asleep(*body.bullet, body.memory, dt);
     } else if (impl_->def.on_device) {
@@ -218,10 +223,11 @@ void RigidWorld::predict(float dt, std::span<RigidMotion> out) const {
   if (dt > 0) impl_->predict_jointed(dt, out);
 }
 
+/// A device has no joints.
 void RigidWorld::predict_among_solids(float dt, std::span<RigidMotion> out) const {
-  predict(dt, out);
+  std::ranges::fill(out, RigidMotion{{}, {0, 0, 0}, {0, 0, 0}});
   impl_->for_each_body([&](uint32_t n, const RigidBodyRecord& body) {
-    if (!body.kinematic) out[n] = impl_->unpushed_motion(n, body, dt);
+    out[n] = body.kinematic ? impl_->driven_motion(body, dt) : impl_->unpushed_motion(n, body, dt);
   });
 }
 

@@ -212,17 +212,17 @@ const std::vector<RigidTouch>& RigidWorld::touches() {
   const InBullet bullet(*reserve_, impl_->size());
   std::vector<uint64_t>& keys = impl_->touching_keys;
   keys.clear();
-  const auto note = [&](const btPersistentManifold& manifold, RigidRef a, RigidRef b) {
+  const auto add = [&](RigidRef a, RigidRef b) {
     const uint32_t first = rank(a), second = rank(b);
-    if (touch_at_any_point(manifold))
-      keys.push_back(key_of(std::min(first, second), std::max(first, second)));
+    keys.push_back(key_of(std::min(first, second), std::max(first, second)));
+  };
+  const auto note = [&](const btPersistentManifold& manifold, RigidRef a, RigidRef b) {
+    if (touch_at_any_point(manifold)) add(a, b);
   };
   impl_->dispatcher.for_each_touching([&](const btPersistentManifold& manifold, uint64_t pair) {
     note(manifold, impl_->solids[pair >> 32], impl_->solids[pair & 0xffffffff]);
   });
-  for (const RigidContact& c : impl_->contacts_on_device()) {
-    if (c.distance <= 0 || c.impulse > 0) keys.push_back(key_of(rank(c.a), rank(c.b)));
-  }
+  for (const RigidTouch& touch : impl_->touches_on_device()) add(touch.a, touch.b);
   const auto& predictive = impl_->dynamics.predictive();
   for (int i = 0; i < predictive.size(); ++i)
     note(*predictive[i], impl_->solid_of(predictive[i]->getBody0()),

@@ -150,9 +150,11 @@ struct RigidWorld::Impl {
   TablesOfMeshes<ContactGround> grounds;  ///< likewise
   bool parts_changed = true;              ///< since `contacts` got them
   bool boxes_changed = false;             ///< since Bullet's broad phase got them
+  bool may_have_islands = true;           ///< on a device: a body may have RigidMemory::island
+  bool any_asleep = false;                ///< in contact_bodies
   std::vector<SavedContact> resting;      ///< contacts of sleeping bodies, which a device need not see
   std::vector<RigidRef> removed;          ///< solids that were removed since `contacts` got the parts
-  std::vector<ContactBody> contact_bodies;
+  std::vector<ContactBody> contact_bodies, tried_bodies;
   std::vector<ContactMotion> contact_motions, unpushed;  ///< at the end of a step; without its impulses
 
   /// How many solids and joints there are, as the reserve counts them.
@@ -206,12 +208,13 @@ struct RigidWorld::Impl {
   void gather_bodies(float dt, bool pushed);
   void find_on_device(float dt, bool pushed);
   void try_unpushed(float dt);
+  bool is_tried() const;
   bool wake_islands();
   bool wake_touched();
   void wake_beside_driven();
   void wake_resting(std::span<btRigidBody* const> changed);
   void wake_overlapping(btRigidBody& changed);
-  void note_rest(float dt);
+  bool note_rest(float dt);
   void fall_asleep();
   bool rests(const RigidRef& solid) const;
   bool is_removed(const RigidRef& solid) const;
@@ -221,9 +224,11 @@ struct RigidWorld::Impl {
   void arrive(RigidBodyRecord& body, const ContactMotion& motion);
   void measure_yielding(RigidBodyRecord& body, uint32_t number, float dt);
   void step_on_device(float dt, bool is_first);
+  RigidMotion driven_motion(const RigidBodyRecord& body, float dt) const;
   RigidMotion unpushed_motion(uint32_t number, const RigidBodyRecord& body, float dt) const;
   RigidMotion flight_on_device(const RigidBodyRecord& body, float dt) const;
   std::vector<RigidContact> contacts_on_device() const;
+  std::vector<RigidTouch> touches_on_device() const;
 
   RigidRef solid_of(const btCollisionObject* object) const;
   /// By its code, as in RigidLayout; nullptr if there is none.

@@ -41,6 +41,7 @@ struct RigidWorld::Snapshot {
   std::vector<SavedPrediction> predictions;
   std::vector<btManifoldPoint> predicted_points;
   RigidBroadphase::State broadphase;
+  bool is_kept = false;  ///< contacts on the device stay there; `on_device` has nothing
   std::vector<SavedContact> on_device, resting;
   double time = 0;
 };

@@ -224,6 +224,9 @@ class RigidWorld {
   }
   void save_bodies(Snapshot& snapshot) const;    ///< one half; both may be saved at once
   void save_contacts(Snapshot& snapshot) const;  ///< the other one
+  /// The other one as well, without a copy from the device. It is for one restore(), before the next call of
+  /// this, and while solids stay the same.
+  void keep_contacts(Snapshot& snapshot) const;
   void restore(const Snapshot& snapshot);
   /// The items of a snapshot. One that they fill is for this world. Throws Error(io) if the items do not fit.
   void visit_snapshot(Snapshot& snapshot, pbd::StateVisitor& v) const;
@@ -234,6 +237,7 @@ class RigidWorld {
   void arrange(const RigidLayout& layout);
 
  private:
+  void save_in_bullet(Snapshot& snapshot) const;
   void expect_valid(const Snapshot& snapshot) const;
 
   struct Impl;

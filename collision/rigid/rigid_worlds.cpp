@@ -129,9 +129,9 @@ void RigidWorlds::save_bodies() {
       [&](uint32_t w, RigidWorld& world) { world.save_bodies(are_many() ? *many_before_[w] : *before_); });
 }
 
-void RigidWorlds::save_contacts() {
+void RigidWorlds::keep_contacts() {
   for_each(
-      [&](uint32_t w, RigidWorld& world) { world.save_contacts(are_many() ? *many_before_[w] : *before_); });
+      [&](uint32_t w, RigidWorld& world) { world.keep_contacts(are_many() ? *many_before_[w] : *before_); });
 }
 
 void RigidWorlds::restore() {

@@ -73,7 +73,7 @@ class RigidWorlds {
 
   /// Keeps the state at the start of a step, in two halves that may run at once.
   void save_bodies();
-  void save_contacts();
+  void keep_contacts();
   /// Gives that state back to all worlds that step.
   void restore();
   void restore(uint32_t world);

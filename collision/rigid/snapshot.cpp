@@ -59,7 +59,7 @@ void RigidWorld::save_bodies(Snapshot& to) const {
   to.time = impl_->time;
 }
 
-void RigidWorld::save_contacts(Snapshot& to) const {
+void RigidWorld::save_in_bullet(Snapshot& to) const {
   const InBullet bullet(*reserve_, impl_->size());
   to.pairs.clear();
   const btBroadphasePairArray& pairs = impl_->pairs.getOverlappingPairArray();
@@ -89,12 +89,24 @@ void RigidWorld::save_contacts(Snapshot& to) const {
     to.predicted_points.insert(to.predicted_points.end(), first, first + m.getNumContacts());
   }
   impl_->broadphase.save(to.broadphase);
-  to.on_device.clear();
-  if (impl_->contacts) {
-    impl_->update_parts();
-    to.on_device = impl_->contacts->save();
-  }
   to.resting = impl_->resting;
+}
+
+void RigidWorld::save_contacts(Snapshot& to) const {
+  save_in_bullet(to);
+  to.is_kept = false;
+  to.on_device.clear();
+  if (!impl_->contacts) return;
+  impl_->update_parts();
+  to.on_device = impl_->contacts->save();
+}
+
+void RigidWorld::keep_contacts(Snapshot& to) const {
+  save_in_bullet(to);
+  to.is_kept = true;
+  if (!impl_->contacts) return;
+  impl_->update_parts();
+  impl_->contacts->keep();
 }
 
 namespace {
@@ -163,9 +175,14 @@ void RigidWorld::restore(const Snapshot& from) {
     if (body) put_back(*body, *saved_body++);
   }
   impl_->boxes_changed = impl_->def.on_device;
+  impl_->may_have_islands = true;
   if (impl_->contacts) {
+    assert(!(from.is_kept && impl_->parts_changed));
     impl_->update_parts();
-    impl_->contacts->restore(from.on_device);
+    if (from.is_kept)
+      impl_->contacts->take_back();
+    else
+      impl_->contacts->restore(from.on_device);
   }
   impl_->resting = from.resting;
   impl_->time = from.time;

@@ -1,14 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Kernels that find contacts of pairs, give them what they start from, and colour them: two contacts of one
-// colour share no body that moves.
+// Kernels that find contacts of pairs, and give them what they start from.
 #pragma once
 
 #include "collision/rigid_contact/hull_round.h"
 #include "collision/rigid_contact/pair_kernels.h"
 #include "collision/rigid_contact/touch.h"
-#include "pbd/device/base/atomics.h"
 
 namespace meniscus::collision::rigid_contact_kernels {
 
@@ -30,6 +28,13 @@ struct ContactMemory {
   Vec3 position[most_manifold_points];
   float distance[most_manifold_points], impulse[most_manifold_points];
 };
+
+/// The parts of a contact if they touch, with `a` the first of them; otherwise no_index.
+MENISCUS_HD inline PartPair touching_parts(uint32_t a, const ContactMemory& m) {
+  bool touches = false;
+  for (uint32_t k = 0; k < m.count; ++k) touches |= m.distance[k] <= 0 || m.impulse[k] > 0;
+  return touches ? PartPair{a, m.b} : PartPair{pbd::no_index, pbd::no_index};
+}
 
 /// Finds contacts of pairs, and gives them what they start from.
 struct PairContacts {
@@ -120,84 +125,6 @@ struct FindContactStarts {
   View<uint32_t> start;
 
   MENISCUS_HD void operator()(uint32_t part) const { start[part] = place[pair_start[part]]; }
-};
-
-/// Colours 0 to 62 are solved at once each. Contacts with the last one are solved one by one.
-inline constexpr uint32_t serial_colour = 63, colour_count = 64, no_colour = ~0u;
-
-/// A number for each contact, none twice.
-MENISCUS_HD inline uint32_t rank_of(uint32_t contact) {
-  return contact * 2654435769u;
-}
-
-/// The moving bodies of a contact; no_index for others.
-struct TwoBodies {
-  uint32_t a, b;
-};
-
-/// One round of colouring. Each uncoloured contact claims its bodies, and the lowest rank has them.
-struct ClaimBodies {
-  View<const TwoBodies> bodies;
-  View<const uint32_t> colour;
-  View<uint32_t> claims, next_claims;  ///< by body; these of the round after are reset
-
-  MENISCUS_HD void operator()(uint32_t k) const {
-    if (k < next_claims.count) next_claims[k] = ~0u;
-    if (k >= bodies.count || colour[k] != no_colour) return;
-    const TwoBodies own = bodies[k];
-    if (own.a != pbd::no_index) pbd::atomic_min(claims[own.a], rank_of(k));
-    if (own.b != pbd::no_index) pbd::atomic_min(claims[own.b], rank_of(k));
-  }
-};
-
-/// Contacts that have both of their bodies take the lowest colour that neither has.
-struct TakeColours {
-  View<const TwoBodies> bodies;
-  View<const uint32_t> claims;
-  View<uint64_t> used;  ///< by body: a bit for each colour
-  View<uint32_t> colour;
-
-  MENISCUS_HD void operator()(uint32_t k) const {
-    if (colour[k] != no_colour) return;
-    const TwoBodies own = bodies[k];
-    const bool has_a = own.a != pbd::no_index, has_b = own.b != pbd::no_index;
-    if ((has_a && claims[own.a] != rank_of(k)) || (has_b && claims[own.b] != rank_of(k))) return;
-    const uint64_t taken = (has_a ? used[own.a] : 0) | (has_b ? used[own.b] : 0);
-    uint32_t free = 0;
-    while (free < serial_colour && taken >> free & 1) ++free;
-    colour[k] = free;
-    if (free == serial_colour) return;
-    if (has_a) used[own.a] |= uint64_t{1} << free;
-    if (has_b) used[own.b] |= uint64_t{1} << free;
-  }
-};
-
-struct StartColouring {
-  View<const uint32_t> contacts;
-  View<const FoundContact> found;
-  View<const ContactPart> parts;
-  View<const PlacedPart> placed;
-  View<TwoBodies> bodies;
-  View<ContactBodies> all_bodies;
-  View<uint32_t> colour, number;
-
-  MENISCUS_HD void operator()(uint32_t k) const {
-    const FoundContact& c = found[contacts[k]];
-    all_bodies[k] = {parts[c.a].body, parts[c.b].body};
-    bodies[k] = {placed[c.a].moves ? parts[c.a].body : pbd::no_index,
-                 placed[c.b].moves ? parts[c.b].body : pbd::no_index};
-    colour[k] = no_colour;
-    number[k] = k;
-  }
-};
-
-/// Counts what has no colour yet. After the last round it is solved serially.
-struct CloseColouring {
-  View<uint32_t> colour;
-
-  MENISCUS_HD void operator()(uint32_t k) const {
-    if (colour[k] == no_colour) colour[k] = serial_colour;
-  }
 };
 
 }  // namespace meniscus::collision::rigid_contact_kernels

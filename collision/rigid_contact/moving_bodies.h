@@ -4,7 +4,7 @@
 // Bodies while contacts among solids are solved, and kernels that move them.
 #pragma once
 
-#include "collision/rigid_contact/contact_kernels.h"
+#include "collision/rigid_contact/colour_kernels.h"
 
 namespace meniscus::collision::rigid_contact_kernels {
 

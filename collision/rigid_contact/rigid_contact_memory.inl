@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <unordered_map>
 
 #include "collision/rigid_contact/rigid_contact_set.h"
@@ -90,12 +91,55 @@ inline void add_point(rigid_contact_kernels::ContactMemory& m, const SavedContac
 }
 
 template <class D>
+void RigidContactSet<D>::Memory::make_room(uint32_t contact_count) {
+  collision::make_room(contacts, contact_count);
+  collision::make_room(touching, contact_count);
+}
+
+template <class D>
+void RigidContactSet<D>::Memory::swap(Memory& other) {
+  std::swap(count, other.count);
+  contacts.swap(other.contacts);
+  starts.swap(other.starts);
+  touching.swap(other.touching);
+}
+
+template <class D>
+void RigidContactSet<D>::keep() {
+  kept_.make_room(memory_.count);
+  kept_.starts.resize_discard(memory_.starts.size());
+  kept_.count = memory_.count;
+  const auto copy = [this](auto& to, auto& from, size_t count) {
+    if (count) device_.copy(to.view().data, from.view().data, count * sizeof(*from.view().data));
+  };
+  copy(kept_.contacts, memory_.contacts, memory_.count);
+  copy(kept_.touching, memory_.touching, memory_.count);
+  copy(kept_.starts, memory_.starts, memory_.starts.size());
+}
+
+template <class D>
+void RigidContactSet<D>::take_back() {
+  assert(kept_.starts.size() == host_parts_.size() + 1);
+  memory_.swap(kept_);
+  contact_count_ = 0;
+}
+
+template <class D>
+std::vector<TouchingParts> RigidContactSet<D>::touching() {
+  std::vector<TouchingParts> all;
+  if (memory_.count == 0) return all;
+  for (const rigid_contact_kernels::PartPair& pair : memory_.touching.read(memory_.count))
+    if (pair.a != pbd::no_index) all.push_back({host_parts_[pair.a].key, host_parts_[pair.b].key});
+  return all;
+}
+
+template <class D>
 std::vector<SavedContact> RigidContactSet<D>::save() {
   std::vector<SavedContact> saved;
-  if (memory_count_ == 0) return saved;
+  if (memory_.count == 0) return saved;
   device_.wait();
-  const auto memory = memory_.read(memory_count_);
-  const std::vector<uint32_t> start = memory_start_.read(host_parts_.size() + 1);
+  const auto memory = memory_.contacts.read(memory_.count);
+  const std::vector<uint32_t> start = memory_.starts.read(host_parts_.size() + 1);
   for (uint32_t a = 0; a < part_count(); ++a) {
     for (uint32_t m = start[a]; m < start[a + 1]; ++m) {
       for (uint32_t k = 0; k < memory[m].count; ++k)
@@ -108,7 +152,7 @@ std::vector<SavedContact> RigidContactSet<D>::save() {
 /// Points of parts that are gone are left out.
 template <class D>
 void RigidContactSet<D>::restore(std::span<const SavedContact> saved) {
-  using rigid_contact_kernels::ContactMemory;
+  using namespace rigid_contact_kernels;
   std::unordered_map<uint64_t, uint32_t> place;
   for (uint32_t i = 0; i < part_count(); ++i) place.emplace(host_parts_[i].key, i);
   std::vector<std::vector<ContactMemory>> of_part(host_parts_.size());
@@ -123,17 +167,22 @@ void RigidContactSet<D>::restore(std::span<const SavedContact> saved) {
     add_point(all.back(), s);
   }
   std::vector<ContactMemory> memory;
+  std::vector<PartPair> touching;
   std::vector<uint32_t> start{0};
-  for (const auto& all : of_part) {
-    memory.insert(memory.end(), all.begin(), all.end());
+  for (uint32_t a = 0; a < part_count(); ++a) {
+    for (const ContactMemory& m : of_part[a]) {
+      memory.push_back(m);
+      touching.push_back(touching_parts(a, m));
+    }
     start.push_back(static_cast<uint32_t>(memory.size()));
   }
-  memory_count_ = static_cast<uint32_t>(memory.size());
+  memory_.count = static_cast<uint32_t>(memory.size());
   device_.wait();
-  memory_start_.resize_discard(start.size());
-  memory_start_.write(start);
-  make_room(memory_, memory_count_);
-  memory_.write(memory);
+  memory_.starts.resize_discard(start.size());
+  memory_.starts.write(start);
+  memory_.make_room(memory_.count);
+  memory_.contacts.write(memory);
+  memory_.touching.write(touching);
   contact_count_ = 0;
 }
 

@@ -24,6 +24,9 @@ namespace meniscus::collision {
 ///
 /// The first three are find(), the others advance(), which may be repeated with other forces.
 ///
+/// What a step starts from stays on the device. The host reads a pair of numbers a contact after a step, and
+/// all the rest only if it is asked for.
+///
 /// All orders follow from the order of the parts, so results do not depend on the number of threads.
 template <class D>
 class RigidContactSet final : public RigidContacts {
@@ -36,10 +39,28 @@ class RigidContactSet final : public RigidContacts {
   void advance(std::span<const ContactBody> bodies, const ContactStep& step,
                std::span<ContactMotion> out) override;
   void accept() override;
+  std::vector<TouchingParts> touching() override;
+  void keep() override;
+  void take_back() override;
   std::vector<SavedContact> save() override;
   void restore(std::span<const SavedContact> saved) override;
 
  private:
+  /// What a step leaves for the next one, in the order of pairs.
+  struct Memory {
+    explicit Memory(D& device)
+        : contacts{device, "solid contacts"},
+          starts{device, "solid contacts"},
+          touching{device, "solid contacts"} {}
+    void make_room(uint32_t contact_count);
+    void swap(Memory& other);
+
+    uint32_t count = 0;
+    pbd::Buffer<rigid_contact_kernels::ContactMemory> contacts;
+    pbd::Buffer<uint32_t> starts;  // of each part's
+    pbd::Buffer<rigid_contact_kernels::PartPair> touching;
+  };
+
   void load(std::span<const ContactBody> bodies);
   void place_parts(float dt);
   rigid_contact_kernels::PairSearch search() const;
@@ -57,7 +78,6 @@ class RigidContactSet final : public RigidContacts {
   std::vector<ContactPart> host_parts_;
   rigid_contact_kernels::CellGrid grid_{1, 1};
   uint32_t bodies_count_ = 0, pair_count_ = 0, contact_count_ = 0;
-  uint32_t memory_count_ = 0;
   float small_step_ = 0;  // s, of the last advance()
   bool any_bounces_ = false;
   std::vector<uint32_t> colour_starts_;
@@ -83,13 +103,12 @@ class RigidContactSet final : public RigidContacts {
   pbd::Buffer<ContactBodies> contact_bodies_{device_, "solid contacts"};
   pbd::Buffer<uint32_t> colour_{device_, "solid colours"}, sorted_colour_{device_, "solid colours"};
   pbd::Buffer<uint32_t> contact_number_{device_, "solid colours"}, order_{device_, "solid colours"};
-  pbd::Buffer<uint32_t> claims_{device_, "solid colours"}, next_claims_{device_, "solid colours"};
+  pbd::Buffer<uint32_t> claims_{device_, "solid colours"};
   pbd::Buffer<uint64_t> used_{device_, "solid colours"};
   pbd::Buffer<uint32_t> starts_{device_, "solid colours"};
   pbd::Buffer<rigid_contact_kernels::SolverContact> solver_{device_, "solid contacts"};
-  pbd::Buffer<rigid_contact_kernels::ContactMemory> memory_{device_, "solid contacts"};
-  pbd::Buffer<uint32_t> memory_start_{device_, "solid contacts"};   // of each part's, in memory_
-  pbd::Buffer<uint32_t> contact_start_{device_, "solid contacts"};  // likewise, of those that were found
+  Memory memory_{device_}, kept_{device_};
+  pbd::Buffer<uint32_t> contact_start_{device_, "solid contacts"};  // of each part's, among those found
 };
 
 }  // namespace meniscus::collision

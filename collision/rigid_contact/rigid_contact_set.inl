@@ -95,7 +95,7 @@ void RigidContactSet<D>::find_contacts() {
     contact_start_.fill(0);
     return;
   }
-  const PairContacts contacts{search(),      pairs_.view(),  memory_.view(), memory_start_.view(),
+  const PairContacts contacts{search(),      pairs_.view(),  memory_.contacts.view(), memory_.starts.view(),
                               found_.view(), touches_.view()};
   device_.parallel_for("solids/touch", pair_count_, TouchPairs{contacts});
   if (hulls_.any())
@@ -122,26 +122,27 @@ void RigidContactSet<D>::colour() {
   make_room(contact_bodies_, count);
   if (used_.size() != bodies_count_) {
     used_.resize_discard(bodies_count_);
-    claims_.resize_discard(bodies_count_);
-    next_claims_.resize_discard(bodies_count_);
+    claims_.resize_discard(3 * size_t{bodies_count_});
   }
   used_.fill(0);
   if (count == 0) return;
   claims_.fill(0xff);
+  const auto claims = [this](uint32_t round) {
+    return claims_.view().from(round * bodies_count_).first(bodies_count_);
+  };
+  ColourRound round{two_bodies_.view().first(count), claims(0), claims(1), claims(2), used_.view(),
+                    colour_.view().first(count)};
   device_.parallel_for("solids/uncoloured", count,
                        StartColouring{contacts_.view(), found_.view(), parts_.view(), placed_.view(),
                                       two_bodies_.view().first(count), contact_bodies_.view().first(count),
-                                      colour_.view().first(count), contact_number_.view().first(count)});
-  for (uint32_t round = 0; round < rigid_contact_tuning::colour_rounds; ++round) {
-    device_.parallel_for("solids/claim", std::max(count, bodies_count_),
-                         ClaimBodies{two_bodies_.view().first(count), colour_.view().first(count),
-                                     claims_.view(), next_claims_.view()});
-    device_.parallel_for("solids/colour", count,
-                         TakeColours{two_bodies_.view().first(count), claims_.view(), used_.view(),
-                                     colour_.view().first(count)});
-    claims_.swap(next_claims_);
-  }
-  device_.parallel_for("solids/coloured", count, CloseColouring{colour_.view().first(count)});
+                                      round.colour, contact_number_.view().first(count), round.claims});
+  // One block of a GPU goes over few contacts faster than launches begin.
+  const uint32_t launched =
+      count > 4 * FinishColouring::group_threads ? rigid_contact_tuning::launched_rounds : 0;
+  for (uint32_t k = 0; k < launched; ++k, round = round.following())
+    device_.parallel_for("solids/colour", round.items(), round);
+  device_.parallel_for_groups("solids/finish colours", 1,
+                              FinishColouring{round, rigid_contact_tuning::colour_rounds - launched});
 }
 
 template <class D>
@@ -168,18 +169,27 @@ void RigidContactSet<D>::prepare(float h) {
                                      parts_.view(), start_.view(), bodies_.view(), solver_.view(), h});
 }
 
+/// Colours of few contacts that follow one another are one launch.
 template <class D>
 template <class Solve>
 void RigidContactSet<D>::solve_once(const char* name, const Solve& solve) {
   using namespace rigid_contact_kernels;
-  for (uint32_t colour = 0; colour < colour_count; ++colour) {
-    const uint32_t first = colour_starts_[colour], count = colour_starts_[colour + 1] - first;
-    const OfColour<Solve> all{solver_.view(), bodies_.view(), first, solve};
-    if (count == 0) continue;
-    if (colour == serial_colour)
-      device_.parallel_for(name, 1, OneByOne<Solve>{all, count});
-    else
-      device_.parallel_for_groups(name, InGroups<Solve>::groups(count), InGroups<Solve>{all, count});
+  using Few = ColoursInOneGroup<Solve>;
+  const uint32_t few =
+      device_.kind() == pbd::DeviceKind::cpu ? InGroups<Solve>::group_threads : Few::group_threads;
+  const auto size = [this](uint32_t colour) { return colour_starts_[colour + 1] - colour_starts_[colour]; };
+  const auto has_few = [&](uint32_t colour) { return colour == serial_colour || size(colour) <= few; };
+  for (uint32_t colour = 0, end; colour < colour_count; colour = end) {
+    const OfColour<Solve> first{solver_.view(), bodies_.view(), colour_starts_[colour], solve};
+    for (end = colour; end < colour_count && has_few(end);) ++end;
+    if (end > colour) {
+      if (colour_starts_[end] > colour_starts_[colour])
+        device_.parallel_for_groups(name, 1, Few{first, starts_.view(), colour, end});
+      continue;
+    }
+    end = colour + 1;
+    device_.parallel_for_groups(name, InGroups<Solve>::groups(size(colour)),
+                                InGroups<Solve>{first, size(colour)});
   }
 }
 
@@ -202,12 +212,13 @@ void RigidContactSet<D>::solve(const ContactStep& step) {
 
 template <class D>
 void RigidContactSet<D>::accept() {
-  make_room(memory_, contact_count_);
-  memory_count_ = contact_count_;
+  memory_.make_room(contact_count_);
+  memory_.count = contact_count_;
   device_.parallel_for(
       "solids/keep", contact_count_,
-      rigid_contact_kernels::KeepMemory{solver_.view(), start_.view(), memory_.view(), small_step_});
-  memory_start_.swap(contact_start_);
+      rigid_contact_kernels::KeepMemory{solver_.view(), start_.view(), memory_.contacts.view(),
+                                        memory_.touching.view(), small_step_});
+  memory_.starts.swap(contact_start_);
 }
 
 }  // namespace meniscus::collision

@@ -72,6 +72,11 @@ struct ContactBodies {
   uint32_t a, b;
 };
 
+/// The keys of two parts.
+struct TouchingParts {
+  uint64_t a, b;
+};
+
 class RigidContacts {
  public:
   virtual ~RigidContacts() = default;
@@ -88,6 +93,16 @@ class RigidContacts {
                        std::span<ContactMotion> out) = 0;
   /// Makes the last advance() what the next step starts from.
   virtual void accept() = 0;
+
+  /// The parts that touched in the last step that was accepted, or restored: with a distance ≤ 0 or an
+  /// impulse at any point. A pair may come more than once.
+  virtual std::vector<TouchingParts> touching() = 0;
+
+  /// Keeps what the next step starts from, without a copy on the host. The memory of the last call is used
+  /// again.
+  virtual void keep() = 0;
+  /// Gives back what keep() kept, once. The parts must be the same.
+  virtual void take_back() = 0;
 
   /// All contacts of the last step that was accepted, or restored.
   virtual std::vector<SavedContact> save() = 0;

@@ -161,14 +161,30 @@ struct InGroups {
   static uint32_t groups(uint32_t count) { return (count + group_threads - 1) / group_threads; }
 };
 
-/// The same, one contact after the other.
+/// The same for several colours, one after the other, by one group. Those of the last one share bodies.
 template <class Solve>
-struct OneByOne {
-  OfColour<Solve> of_colour;
-  uint32_t count;
+struct ColoursInOneGroup {
+  static constexpr uint32_t group_threads = 128;
+  struct Scratch {};
 
-  MENISCUS_HD void operator()(uint32_t) const {
-    for (uint32_t k = 0; k < count; ++k) of_colour(k);
+  OfColour<Solve> of_colour;
+  View<const uint32_t> starts;
+  uint32_t begin, end;
+
+  template <class Group>
+  MENISCUS_HD void operator()(const Group& group, Scratch&, uint32_t) const {
+    OfColour<Solve> own = of_colour;
+    for (uint32_t colour = begin; colour < end; ++colour) {
+      own.first = starts[colour];
+      const uint32_t count = starts[colour + 1] - own.first;
+      if (colour != serial_colour) {
+        group.for_each(count, own);
+        continue;
+      }
+      group.for_each(1, [&](uint32_t) {
+        for (uint32_t k = 0; k < count; ++k) own(k);
+      });
+    }
   }
 };
 
@@ -283,6 +299,7 @@ struct KeepMemory {
   View<const SolverContact> contacts;
   View<const ContactBody> start;
   View<ContactMemory> memory;
+  View<PartPair> touching;
   float h;
 
   MENISCUS_HD void operator()(uint32_t k) const {
@@ -300,6 +317,7 @@ struct KeepMemory {
       m.friction[p] = (c.points[p].along / h) * t.u + (c.points[p].across / h) * t.v;
     }
     memory[c.contact] = m;
+    touching[c.contact] = touching_parts(c.a, m);
   }
 };
 

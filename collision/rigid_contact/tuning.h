@@ -59,9 +59,14 @@ inline constexpr float push_rate = 30;
 /// Test: none.
 inline constexpr float most_turn = 0.7853982f;
 
-/// Rounds of colouring. A jumble needs about ten. What has no colour then is solved one by one.
+/// The most rounds of colouring. A round gives one contact of a body a colour, so there are as many as a body
+/// has contacts, or some more. What has no colour after the last one is solved one by one.
 /// Test: RigidDeviceTuning.ABodyOfMoreContactsThanColoursRests.
-inline constexpr unsigned colour_rounds = 24;
+inline constexpr unsigned colour_rounds = 64;
+
+/// Of these, where there are many contacts, how many are launches of their own. The others are one launch.
+/// Results do not depend on it. Test: none.
+inline constexpr unsigned launched_rounds = 24;
 
 /// Rounds over the points of a contact that bounces.
 /// Test: RigidContactTest.BouncesTheSameFromAnyHeight.
