@@ -120,10 +120,13 @@ template <class D>
 void DensitySet<D>::project(pbd::Substep<D>& substep, int iteration) {
   using namespace density_kernels;
   if (by_baseline_) return baseline_->project(substep, multiplier_.current.view(), iteration);
-  if (!substep.particles.has_fluid() || !any_fluid_) return;
+  const bool has_fluid = substep.particles.has_fluid();
+  const bool shares_nodes = pressure_grid_ && substep.ghosts.exchange;
+  if ((!has_fluid && !shares_nodes) || !any_fluid_) return;
   if (pressure_grid_ && iteration == 0) {
     pressure_grid_->displace(substep, parameters_.compressibility, multiplier_.current.view(), allowed_);
   }
+  if (!has_fluid) return;
   const pbd::IterationWeights weights = parameters_.chebyshev ? chebyshev_.next(iteration, substep.iterations)
                                                               : pbd::IterationWeights{0, relaxation_};
   const bool last = iteration + 1 == substep.iterations;

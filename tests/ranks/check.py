@@ -4,7 +4,7 @@
 """tests/ranks/check.py MPIRUN PROGRAM CHECK [ARGUMENT...]: checks of processes that share a world.
 
 hashes STEPS RANKS...   rank_program has the same hashes alone and on so many ranks, also where cuts move every step
-contents STEPS RANKS... emitters, sinks, probes and bodies do and say the same, bit for bit
+contents STEPS RANKS... emitters, sinks, probes and bodies do and say the same, bit for bit, with the pressure grid
 gpu_hashes STEPS        the hashes are the same on as many GPUs as there are, one a rank
 faults RANKS            a rank that throws, has no memory or is killed ends all: soon, with a message and exit code
 hang RANKS [LIMIT]      so does a rank that stops, within 30 s, or here soon after a limit in s
@@ -56,7 +56,7 @@ def check_hashes(mpirun, program, steps, *ranks, on=()):
 
 
 def check_contents(mpirun, program, steps, *ranks):
-    words = [program, steps, "--size", "0.15", "1.3", "--flow", "--bodies"]
+    words = [program, steps, "--size", "0.15", "1.3", "--flow", "--bodies", "--grid"]
     alone = output_of(mpirun, 1, words)
     emitted, taken = re.findall(r"emitted (\d+)", alone)[-2:], re.findall(r"taken (\d+)", alone)[-2:]
     assert min(map(int, emitted + taken)) > 0, alone

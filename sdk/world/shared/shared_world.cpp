@@ -26,7 +26,6 @@ void check_solver(const WorldDef& def) {
   if (def.periodic.x || def.periodic.y || def.periodic.z) refuse("periodic axes");
   if (def.diffuse) refuse("diffuse particles");
   if (def.density.tolerance > 0) refuse("DensitySolverDef::tolerance");
-  if (def.density.solver == DensitySolver::grid) refuse("pressure grid");
   if (is_baseline(def.density.solver)) refuse("solvers pcisph, wcsph and dfsph");
 }
 

@@ -150,7 +150,6 @@ TEST(SharedWorld, RefusesByNameHowItCannotSolve) {
   refuses("no periodic axes", [](WorldDef& def) { def.periodic.x = PeriodicExtent{0, 2}; });
   refuses("no diffuse particles", [](WorldDef& def) { def.diffuse.emplace(); });
   refuses("no DensitySolverDef::tolerance", [](WorldDef& def) { def.density.tolerance = 0.01f; });
-  refuses("no pressure grid", [](WorldDef& def) { def.density.solver = DensitySolver::grid; });
 }
 
 TEST(SharedWorld, GoesOnFromAFileAloneAndOnOtherRanks) {
