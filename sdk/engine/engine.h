@@ -25,6 +25,7 @@ struct OwnParticles {
   std::vector<uint32_t> fluids;
   std::vector<float> density_errors;  ///< C = ρ/ρ₀ − 1
   std::vector<float> pressures;       ///< Pa
+  std::vector<DiffuseParticle> diffuse;
 };
 
 class Engine {
@@ -203,6 +204,7 @@ class Engine {
 
   // A shared world (sdk/world/shared/shared_world.h).
   virtual uint32_t own_particles() const = 0;  ///< of this rank
+  /// Also readies visit_state() for a save.
   virtual std::vector<uint32_t> particles_by_rank() = 0;
   /// All ranks call it at the same time, while none follows: the values of its own particles. `slots` says
   /// which they are.

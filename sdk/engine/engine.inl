@@ -204,7 +204,7 @@ class DeviceEngine final : public Engine {
   SurfaceMesh read_surface(const fluid::SurfaceField& field, std::optional<uint32_t> group) override;
   uint32_t diffuse_count() const override { return diffuse_ ? diffuse_->count() : 0; }
   uint32_t diffuse_refused() const override { return diffuse_ ? diffuse_->refused() : 0; }
-  void read_diffuse(std::span<DiffuseParticle> out) override { diffuse_->read(out); }
+  void read_diffuse(std::span<DiffuseParticle> out) override;
   Diagnostics measure(Vec3 gravity) override;
 
   void share(pbd::Ranks& ranks, const pbd::CutPolicy& policy) override;
@@ -254,6 +254,7 @@ class DeviceEngine final : public Engine {
   void note_waiting(std::span<const Arrival> arrivals);
   void find_room_among_ranks(std::span<const Arrival> arrivals, std::vector<uint8_t>& has_room);
   void append_among_ranks(const ParticleBatch& batch);
+  std::vector<DiffuseParticle> gather_diffuse();
   std::pair<bool, std::vector<uint64_t>> write_own_items(const std::string& file,
                                                          std::span<const uint64_t> offsets);
   template <class Work>

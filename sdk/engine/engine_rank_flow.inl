@@ -78,6 +78,18 @@ void DeviceEngine<D>::find_room_among_ranks(std::span<const Arrival> arrivals,
   });
 }
 
+/// Rank 0 gets the spray, foam and bubbles of all ranks, in the order of a world alone.
+template <class D>
+std::vector<DiffuseParticle> DeviceEngine<D>::gather_diffuse() {
+  using Own = typename fluid::Diffuse<D>::Own;
+  const std::vector<Own> own = diffuse_->read_own();
+  std::vector<Own> all = pbd::lists_on_first(*ranks_, std::span(own));
+  std::sort(all.begin(), all.end(), [](const Own& a, const Own& b) { return a.key < b.key; });
+  std::vector<DiffuseParticle> particles(all.size());
+  std::transform(all.begin(), all.end(), particles.begin(), [](const Own& of) { return of.particle; });
+  return particles;
+}
+
 /// Each particle belongs to the rank in whose slab it is. All ranks give out the same slots and numbers.
 template <class D>
 void DeviceEngine<D>::append_among_ranks(const ParticleBatch& batch) {

@@ -20,6 +20,7 @@ void DeviceEngine<D>::share(pbd::Ranks& ranks, const pbd::CutPolicy& policy) {
     device_.monitor().commit();
     fetch_contacts();
     solver_.share(ranks, policy);
+    if (diffuse_) diffuse_->share([this](Vec3 p) { return solver_.owns(p); });
     release_readouts();
     removal_.reserve(0);
   });
@@ -65,6 +66,8 @@ void DeviceEngine<D>::follow(const RankCommand& command) {
       return;
     case RankCall::ellipsoids:
       return read_ellipsoids({});
+    case RankCall::diffuse:
+      return read_diffuse({});
     case RankCall::hash:
       hash_particles();
       return;
@@ -121,7 +124,10 @@ void DeviceEngine<D>::announce(const RankCommand& command) {
 
 template <class D>
 std::vector<uint32_t> DeviceEngine<D>::particles_by_rank() {
-  return together({RankCall::counts}, [&] { return pbd::values_of_all(*ranks_, particles_.sorted()); });
+  return together({RankCall::counts}, [&] {
+    if (diffuse_) diffuse_->set_gathered(gather_diffuse());
+    return pbd::values_of_all(*ranks_, particles_.sorted());
+  });
 }
 
 template <class D>

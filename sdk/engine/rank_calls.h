@@ -18,6 +18,7 @@ enum class RankCall : uint32_t {
   pressures,
   density_errors,
   ellipsoids,
+  diffuse,
   hash,
   diagnostics,
   counts,

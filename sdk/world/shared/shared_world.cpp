@@ -24,7 +24,6 @@ namespace {
 
 void check_solver(const WorldDef& def) {
   if (def.periodic.x || def.periodic.y || def.periodic.z) refuse("periodic axes");
-  if (def.diffuse) refuse("diffuse particles");
   if (def.density.tolerance > 0) refuse("DensitySolverDef::tolerance");
   if (is_baseline(def.density.solver)) refuse("solvers pcisph, wcsph and dfsph");
 }
@@ -95,6 +94,10 @@ std::size_t SharedWorld::own_particles() const {
   return world_.engine->own_particles();
 }
 
+bool SharedWorld::has_diffuse() const {
+  return world_.def.diffuse.has_value();
+}
+
 void SharedWorld::pause() {
   world_.engine->pause_following();
 }
@@ -133,9 +136,11 @@ ParticlesOfRank SharedWorld::read_own_particles() {
                             std::move(own.velocities),
                             std::move(own.fluids),
                             std::move(own.density_errors),
-                            std::move(own.pressures)};
+                            std::move(own.pressures),
+                            std::move(own.diffuse)};
   particles.ids = ids_of(own.slots);
   for (Vec3& p : particles.positions) p += world_.def.origin;
+  for (DiffuseParticle& p : particles.diffuse) p.position += world_.def.origin;
   return particles;
 }
 

@@ -19,6 +19,7 @@ struct ParticlesOfRank {
   std::vector<Vec3> positions, velocities;
   std::vector<uint32_t> fluids;
   std::vector<float> density_errors, pressures;
+  std::vector<DiffuseParticle> diffuse;
 };
 
 /// Shares a world. All ranks first build the same world by the same calls. Then each makes this object, which
@@ -45,6 +46,7 @@ class SharedWorld {
   bool leads() const { return ranks_.rank() == 0; }
   /// The number of particles that this rank has at present.
   std::size_t own_particles() const;
+  bool has_diffuse() const;
   /// On all ranks but 0: does what rank 0 asks for, until it destroys its SharedWorld or pauses. Returns
   /// whether it pauses.
   bool follow();

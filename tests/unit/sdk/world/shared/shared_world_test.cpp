@@ -148,7 +148,6 @@ TEST(SharedWorld, RefusesByNameHowItCannotSolve) {
     expect_error(ErrorCode::invalid_argument, named, [&] { SharedWorld(world, *ranks[0]); });
   };
   refuses("no periodic axes", [](WorldDef& def) { def.periodic.x = PeriodicExtent{0, 2}; });
-  refuses("no diffuse particles", [](WorldDef& def) { def.diffuse.emplace(); });
   refuses("no DensitySolverDef::tolerance", [](WorldDef& def) { def.density.tolerance = 0.01f; });
 }
 
