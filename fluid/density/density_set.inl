@@ -203,11 +203,13 @@ void DensitySet<D>::iterate(const K& kernel, pbd::Substep<D>& substep,
               Advance<K, grains>{kernel, substep.neighbours, contacts.start, advancing},
               contacts.contacts.count,
               AdvanceAtWalls<K, motion, grains>{kernel, substep.neighbours, contacts, advancing});
-  if (extrapolates_)
+  if (extrapolates_) {
+    if (substep.ghosts.exchange) refresh_ghost_positions(device_, substep.ghosts, staged_.view());
     device_.parallel_for(
         "density/pistons", fluid,
         ExtrapolateToPistons<K>{kernel, substep.neighbours, substep.particles.phase, staged_.view(),
                                 multiplier_.current.view(), advancing.first});
+  }
   refresh_ghost_positions(device_, substep.ghosts, staged_.view());
   // The first iteration applies the initial multipliers, so it always runs.
   if (stop_) {

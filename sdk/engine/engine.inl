@@ -150,9 +150,7 @@ class DeviceEngine final : public Engine {
   void make_room(uint32_t more) override;
   void find_room(std::span<const Arrival> arrivals, std::vector<uint8_t>& has_room) override;
   void append(const ParticleBatch& batch) override;
-  void set_pistons(std::span<const Piston> pistons, std::span<const PistonParticle> particles) override {
-    pistons_.set(particles_, pistons, particles);
-  }
+  void set_pistons(std::span<const Piston> pistons, std::span<const PistonParticle> particles) override;
   void keep(const std::vector<bool>& keep) override;
   void begin_step(float dt, int iterations) override;
   EngineStep end_step() override;
@@ -254,6 +252,8 @@ class DeviceEngine final : public Engine {
   void note_waiting(std::span<const Arrival> arrivals);
   void find_room_among_ranks(std::span<const Arrival> arrivals, std::vector<uint8_t>& has_room);
   void append_among_ranks(const ParticleBatch& batch);
+  void keep_among_ranks(const std::vector<bool>& keep);
+  void remove_among_ranks(std::span<const uint32_t> gone, uint32_t kept);
   std::vector<DiffuseParticle> gather_diffuse();
   std::pair<bool, std::vector<uint64_t>> write_own_items(const std::string& file,
                                                          std::span<const uint64_t> offsets);

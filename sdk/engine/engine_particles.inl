@@ -129,6 +129,7 @@ void DeviceEngine<D>::append(const ParticleBatch& batch) {
 
 template <class D>
 void DeviceEngine<D>::keep(const std::vector<bool>& keep) {
+  if (ranks_) return together({RankCall::keep}, [&] { keep_among_ranks(keep); });
   const std::vector<uint32_t> by_slot(keep.begin(), keep.end());
   removal_.keep_by_slot(particles_, by_slot);
   remove_marked(removal_.count_kept(particles_));
@@ -236,7 +237,7 @@ EngineStep DeviceEngine<D>::end_step() {
   done.rigid_ms = bodies_.step_ms();
   done.any_world_failed = bodies_.worlds().any_failed();
   done.overflows = overflows();
-  done.pistons = pistons_.read();
+  done.pistons = guarded(ranks_, [&] { return pistons_.read(ranks_); });
   done.density_iterations =
       density_.iterations_done(static_cast<uint32_t>(done.result.substeps * begun_iterations_));
   return done;

@@ -100,6 +100,10 @@ void DeviceEngine<D>::follow(const RankCommand& command) {
       batch.phase.resize(count);
       return append(batch);
     }
+    case RankCall::keep:
+      return keep({});
+    case RankCall::set_pistons:
+      return set_pistons({}, {});
     case RankCall::save: {
       std::string file(static_cast<size_t>(command.iterations), '\0');
       std::vector<uint64_t> offsets(particle_items.size());

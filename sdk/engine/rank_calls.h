@@ -27,6 +27,8 @@ enum class RankCall : uint32_t {
   take_sinks,
   find_room,
   append,
+  keep,
+  set_pistons,
   save
 };
 

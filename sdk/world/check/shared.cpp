@@ -53,6 +53,7 @@ void allowed_when_shared(std::string_view call, uint32_t ranks) {
                                       "contact_events"sv,
                                       "solid_contacts"sv,
                                       "emitter_count"sv,
+                                      "emitter_pressure"sv,
                                       "sink_count"sv,
                                       "probe"sv,
                                       "probe_vector"sv,

@@ -35,18 +35,20 @@ void check_contents(const WorldTables& world) {
   });
   if (world.cloths.size()) refuse("cloth");
   if (world.ropes.size()) refuse("ropes");
-  world.emitters.for_each([](uint32_t, const EmitterEntry& e) {
-    if (e.def.mode == EmitterMode::imposed) refuse("emitters with EmitterDef::mode = imposed");
-  });
   if (world.force_fields.size()) refuse("force fields");
 }
 
-void check_bodies(const WorldTables& world, const WorldDef& def) {
-  if (world.bodies.size() == 0) return;
-  if (def.sums != Sums::fixed)
+void check_sums(const WorldTables& world, const WorldDef& def) {
+  if (def.sums == Sums::fixed) return;
+  const auto require = [](const char* what) {
     throw Error(ErrorCode::invalid_argument,
-                "a world that several ranks share needs WorldDef::sums = fixed for its bodies, in scenes "
-                "\"sums\": \"fixed\"");
+                std::string("a world that several ranks share needs WorldDef::sums = fixed for its ") + what +
+                    ", in scenes \"sums\": \"fixed\"");
+  };
+  if (world.bodies.size() > 0) require("bodies");
+  world.emitters.for_each([&](uint32_t, const EmitterEntry& e) {
+    if (e.def.mode == EmitterMode::imposed) require("imposed emitters");
+  });
 }
 
 }  // namespace
@@ -57,7 +59,7 @@ void SharedWorld::check(const World& world) {
     throw Error(ErrorCode::invalid_argument,
                 "GPUs that share a world need WorldDef::sums = fixed, in scenes \"sums\": \"fixed\"");
   check_solver(impl.def);
-  check_bodies(impl, impl.def);
+  check_sums(impl, impl.def);
   check_contents(impl);
   if (!impl.hooks.empty()) refuse("hooks");
   if (impl.recorder) refuse("recording");

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Spray, foam and bubbles of a world on several ranks: the same bits as alone.
+// Spray, foam and bubbles, and imposed emitters, of a world on several ranks: the same bits as alone.
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -38,6 +38,22 @@ class SharedFlow : public OnDevice {
     FluidVolumeDef volume = block(fluid, {0, 0, 0}, {0.3f, 0.4f, 0.9f});
     volume.velocity = {0, 0, 4};
     world.add_fluid(volume);
+    return world;
+  }
+
+  /// Water at rest in a closed trough, into which an opening in one of its walls pushes more.
+  World duct(float stop) const {
+    World world(def());
+    EmitterDef e;
+    e.fluid = world.create_fluid({});
+    world.create_shape(tank({0, 0, 0}, {0.4f, 1, 1.5f}));
+    world.add_fluid(block(e.fluid, {0, 0, 0}, {0.4f, 0.5f, 1.5f}));
+    e.opening = RectangleOpening{0.2f, 0.2f};
+    e.pose = {{0, 0.2f, 0.7f}, about_z(-90)};  // out along x
+    e.speed = 1;
+    e.mode = EmitterMode::imposed;
+    e.stop = stop;
+    world.create_emitter(e);
     return world;
   }
 };
@@ -133,6 +149,42 @@ TEST_P(SharedFlow, EachRankHasTheSprayInItsSlab) {
   EXPECT_EQ(own[0].diffuse.size() + own[1].diffuse.size(), all);
   EXPECT_GT(own[0].diffuse.size(), 0u);
   EXPECT_GT(own[1].diffuse.size(), 0u);
+}
+
+std::vector<std::string> duct_told(World& world) {
+  std::vector<std::string> all;
+  for (int k = 0; k < 40; ++k) {
+    world.step(frame);
+    std::ostringstream text;
+    text << hex(world.state_hash()) << ' ' << world.particle_count();
+    for (const EmitterId id : world.emitter_ids())
+      text << ' ' << world.emitter_count(id).total << ' ' << world.emitter_pressure(id);
+    all.push_back(text.str());
+  }
+  return all;
+}
+
+TEST_P(SharedFlow, ImposedEmittersHaveTheSameBits) {
+  expect_the_same([&] { return duct(1e9f); }, duct_told);
+}
+
+/// The layers in the duct are removed at the end.
+TEST_P(SharedFlow, ImposedEmittersEnd) {
+  expect_the_same([&] { return duct(0.2f); }, duct_told);
+}
+
+TEST_P(SharedFlow, AnImposedEmitterPushesInTheTest) {
+  World world = duct(0.2f);
+  float pressure = 0;
+  std::size_t most = 0;
+  for (int k = 0; k < 40; ++k) {
+    world.step(frame);
+    most = std::max(most, world.particle_count());
+    pressure = std::max(pressure, static_cast<float>(world.emitter_pressure(world.emitter_ids()[0])));
+  }
+  EXPECT_GT(world.emitter_count(world.emitter_ids()[0]).total, 0u);
+  EXPECT_LT(world.particle_count(), most);
+  EXPECT_GT(pressure, 0);
 }
 
 MENISCUS_ON_EACH_DEVICE(SharedFlow);

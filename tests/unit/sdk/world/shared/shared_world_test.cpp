@@ -113,7 +113,7 @@ TEST(SharedWorld, RefusesByNameWhatItCannotHave) {
     body.pose.position = {0.3f, 2, 0.3f};
     world.create_body(body);
   });
-  refuses("no emitters with EmitterDef::mode = imposed", [](World& world) {
+  refuses("needs WorldDef::sums = fixed for its imposed emitters", [](World& world) {
     EmitterDef emitter;
     emitter.fluid = world.fluid_ids()[0];
     emitter.pose.position = {0.3f, 2, 0.3f};
