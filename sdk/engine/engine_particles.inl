@@ -107,6 +107,7 @@ void DeviceEngine<D>::append(const ParticleBatch& batch) {
   const uint32_t first = particles_.sorted();
   const auto added = static_cast<uint32_t>(batch.position.size());
   if (added == 0) return;
+  if (held_) return hold(batch);
   if (ranks_) {
     ParticleBatch all = batch;
     return together({RankCall::append, static_cast<int32_t>(added)}, [&] {

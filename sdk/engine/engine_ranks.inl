@@ -16,10 +16,10 @@ namespace meniscus {
 template <class D>
 void DeviceEngine<D>::share(pbd::Ranks& ranks, const pbd::CutPolicy& policy) {
   guarded(&ranks, [&] {
-    all_particles_ = particles_.sorted();
+    all_particles_ = particle_count();
     device_.monitor().commit();
     fetch_contacts();
-    solver_.share(ranks, policy);
+    held_ ? share_held(ranks, policy) : solver_.share(ranks, policy);
     if (diffuse_) diffuse_->share([this](Vec3 p) { return solver_.owns(p); });
     release_readouts();
     removal_.reserve(0);

@@ -67,6 +67,13 @@ void SharedWorld::check(const World& world) {
     refuse("particles of add_particles before the first step, since they may be too near to each other");
 }
 
+void SharedWorld::hold_back(World& world) {
+  World::Impl& impl = *world.impl_;
+  if (impl.engine->particle_count() > 0) return;
+  impl.engine->hold_back();
+  impl.holds_back = true;
+}
+
 SharedWorld::SharedWorld(World& world, pbd::Ranks& ranks, const pbd::CutPolicy& policy)
     : world_(*world.impl_), ranks_(ranks) {
   world_.run(
@@ -77,6 +84,7 @@ SharedWorld::SharedWorld(World& world, pbd::Ranks& ranks, const pbd::CutPolicy& 
         own.expects_more |= world_.emitters.size() > 0;
         world_.with_all().share(ranks, own);
         world_.shared_by = static_cast<uint32_t>(ranks.count());
+        world_.holds_back = false;
         if (!leads()) std::vector<ParticleId>().swap(world_.ids);  // rank 0 gives and removes them
         world_.state_changed();
       },

@@ -34,6 +34,10 @@ class SharedWorld {
   /// Throws Error(invalid_argument) and names what the world has and a shared one cannot have.
   static void check(const World& world);
 
+  /// Call it for a new world that will be shared. Its particles stay on the host until then, so that a device
+  /// gets those of its rank alone. A call that needs them earlier brings all of them to the device.
+  static void hold_back(World& world);
+
   /// check() comes first. Throws Error(capacity) if the fluid has fewer than 3 layers of cells a rank, and no
   /// emitter makes more.
   /// `world` may be moved meanwhile. It and `ranks` must outlive this.
