@@ -4,13 +4,18 @@
 // Ghost particles as constraint sets see them: copies that neighbours read, and how to refresh them.
 #pragma once
 
+#include <cstdint>
 #include <span>
+#include <vector>
 
 #include "pbd/contacts.h"
 #include "pbd/device/base/view.h"
 #include "pbd/math/vec.h"
 
 namespace meniscus::pbd {
+
+struct GridView;
+struct WordArray;
 
 /// Ghost k is the particle first + k, behind all owned ones. It has a copy of what its source has, and stands
 /// at an offset from it. No loop runs over ghosts. They appear in the neighbour lists of owned particles.
@@ -21,11 +26,33 @@ namespace meniscus::pbd {
 /// owners have them.
 class GhostExchange {
  public:
+  /// Layers of cells, [first, end); none if they are not ascending.
+  struct Layers {
+    int32_t first, end;
+  };
+
   virtual ~GhostExchange() = default;
   /// Fetches the values of all ghosts, of so many 32-bit words each.
   virtual void refresh(void* values, uint32_t words) = 0;
   /// Element by element, over all ranks, on the host. All ranks call it.
   virtual void add_up(std::span<uint64_t> values) = 0;
+
+  // For sets with values at the corners of cells, which stand on the layers of cells that they begin.
+  virtual int rank() const = 0;
+  /// By rank: its layers of corners of cells that may have particles. Known if a set needs own cells.
+  virtual std::span<const Layers> corner_layers() const = 0;
+  /// In the device's memory: gives all ranks the words of each. Those of rank r are [starts[r], starts[r +
+  /// 1]).
+  virtual void share(uint32_t* words, std::span<const size_t> starts) = 0;
+  /// In the device's memory: sends words to the rank above, and gets as many from the rank below.
+  virtual void pass_up(const uint32_t* sent, uint32_t* received, size_t words) = 0;
+
+  // For sets with elements of their own, each on the rank in whose slab it is.
+  /// Sends the elements in the slabs of others, of so many in these arrays. The first array begins with a
+  /// position. Returns how many arrive.
+  virtual uint32_t hand_over(const GridView& grid, uint32_t count, const std::vector<WordArray>& arrays) = 0;
+  /// Writes what has arrived into the arrays, from element `first` on. Call it once, next after hand_over().
+  virtual void take_over(uint32_t first, const std::vector<WordArray>& arrays) = 0;
 };
 
 struct GhostView {

@@ -41,6 +41,8 @@ struct GridView {
   // owned particles come first, then ghosts. Without ranks all layers are in the slab.
   bool layers_along_y = false;
   uint32_t first_layer = 0, last_layer = ~0u;  ///< last − first, which may wrap around
+  /// Of the table of all layers, of which that of a slab is a part. Without ranks it is the table itself.
+  uint32_t whole_layer_bits = least_bits, whole_strip_bits = 0;
 
   MENISCUS_HD uint32_t key_bits() const { return bits_x + bits_y + bits_z; }
   /// Of a world, or of a slab.

@@ -73,16 +73,20 @@ class NeighbourSearch {
   /// Allocates for `capacity` particles.
   void reserve(uint32_t capacity);
 
+  /// The axis along which a slab would be cut: y or z.
+  void set_layers(bool along_y) { grid_.layers_along_y = along_y; }
   /// From now on only the layers [first, end) have owned particles.
   void set_slab(bool along_y, int32_t first, int32_t end);
   /// Like fit(), for a slab: `count` and `extent` are of the particles of all ranks. So a layer has its cells
   /// in the same order on all of them. `layers`: of the slab, with its ghosts.
   void fit_slab(const Aabb& extent, uint32_t count, int32_t layers);
+  /// Whether the table of all layers has an entry of its own for each of so many, with one on either side.
+  bool has_own_layers(uint32_t layers) const { return layers + 2 <= 1u << grid_.whole_layer_bits; }
   /// After a sort of a slab: the numbers of owned particles and of ghosts.
   std::pair<uint32_t, uint32_t> count_slab() const;
 
   /// From the next fit on, the table grows with the extent, up to 8 times, so that cells which are apart do
-  /// not share entries.
+  /// not share entries. Its shape then depends on the extent and the number of particles alone.
   void set_own_cells(bool own) { has_own_cells_ = own; }
 
   /// Chooses the table's shape for this number of particles inside `extent`. Particles outside are found as
@@ -116,6 +120,8 @@ class NeighbourSearch {
   void shape(const Aabb& extent, uint32_t count, uint32_t most_bits);
   void reserve_table(uint32_t cells);
   void grow_table(const Aabb& extent);
+  uint32_t most_cells(uint32_t count) const;
+  uint32_t least_cells() const { return worlds_ == 1 ? 4096 : 256; }  // of a world's table
   uint32_t stride() const { return D::interleaves_lists ? rows_ : 0; }
   void reserve_lists(uint32_t rows);
 

@@ -247,7 +247,7 @@ void NeighbourSearch<D>::reserve(uint32_t capacity) {
   reserve_lists(grid_.is_slab() ? 0 : capacity);  // those of a slab grow with it
   if constexpr (D::interleaves_lists) coarse_.resize_discard(size / HalfBlock::points + 3);
   if (grid_.is_slab()) return;  // see fit_slab()
-  cells_ = neighbour_kernels::table_for(capacity / worlds_, worlds_ == 1 ? 4096 : 1u << 8);
+  cells_ = neighbour_kernels::table_for(capacity / worlds_, least_cells());
   reserve_table(worlds_ * cells_);
 }
 
@@ -275,7 +275,8 @@ void NeighbourSearch<D>::set_slab(bool along_y, int32_t first, int32_t end) {
 template <class D>
 void NeighbourSearch<D>::fit_slab(const Aabb& extent, uint32_t count, int32_t layers) {
   using namespace neighbour_kernels;
-  shape(extent, count, static_cast<uint32_t>(std::bit_width(table_for(count, 4096))) - 1);
+  const uint32_t cells = has_own_cells_ ? most_cells(count) : table_for(count, least_cells());
+  shape(extent, count, static_cast<uint32_t>(std::bit_width(cells)) - 1);
   uint32_t& bits = grid_.layers_along_y ? grid_.bits_y : grid_.bits_z;
   bits = std::min(bits, bits_for(static_cast<float>(layers), GridView::least_bits));
   grid_.strip_bits = std::min(grid_.strip_bits, grid_.bits_y);
@@ -299,8 +300,7 @@ void NeighbourSearch<D>::grow_table(const Aabb& extent) {
   uint32_t bits = 0;
   for (const uint32_t of_axis : neighbour_kernels::bits_of(grid_.inverse_reach, extent)) bits += of_axis;
   const uint32_t before = cells_;
-  const uint64_t most = 8 * uint64_t{GridView::slices} * (capacity_ / worlds_);
-  const uint64_t cells = std::min(uint64_t{1} << std::min(bits, 31u), std::bit_floor(most));
+  const uint64_t cells = std::min(uint64_t{1} << std::min(bits, 31u), uint64_t{most_cells(capacity_)});
   if (cells <= before) return;
   try {
     cells_ = static_cast<uint32_t>(cells);
@@ -312,10 +312,18 @@ void NeighbourSearch<D>::grow_table(const Aabb& extent) {
   }
 }
 
+/// Of a table with own cells for so many particles in all worlds.
+template <class D>
+uint32_t NeighbourSearch<D>::most_cells(uint32_t count) const {
+  const uint64_t most = 8 * uint64_t{GridView::slices} * (count / worlds_);
+  return static_cast<uint32_t>(std::clamp(std::bit_floor(most), uint64_t{least_cells()}, uint64_t{1} << 31));
+}
+
 template <class D>
 void NeighbourSearch<D>::fit(const Aabb& extent, uint32_t count) {
   if (has_own_cells_) grow_table(extent);
-  shape(extent, count, static_cast<uint32_t>(std::bit_width(cells_)) - 1);
+  const uint32_t cells = has_own_cells_ ? std::min(cells_, most_cells(count)) : cells_;
+  shape(extent, count, static_cast<uint32_t>(std::bit_width(cells)) - 1);
   grid_.start = cell_start_.view().first(worlds_ * grid_.all_cells() + 1);
 }
 
@@ -335,6 +343,8 @@ void NeighbourSearch<D>::shape(const Aabb& extent, uint32_t count, uint32_t most
   grid_.bits_z = bits[2];
   grid_.strip_bits =
       std::min(strip_bits_for(reaches_of(grid_.inverse_reach, extent), count / worlds_), bits[1]);
+  grid_.whole_layer_bits = grid_.layers_along_y ? bits[1] : bits[2];
+  grid_.whole_strip_bits = grid_.strip_bits;
 }
 
 template <class D>

@@ -50,14 +50,23 @@ class RankExchange final : public GhostExchange {
 
   void reserve(uint32_t capacity);
 
-  /// The first cuts, where every rank has all particles.
+  /// The first cuts, where every rank knows all particles: on the device, or where they are to be.
   void cut_all(const ParticleView& particles, const GridView& grid, const Aabb& extent);
+  void cut_all(std::span<const Vec4> positions, const GridView& grid);
   /// Moves the cuts if the policy asks for it. `extent`: of the particles of all ranks.
   void balance(const ParticleView& particles, const GridView& grid, const Aabb& extent);
   int32_t first_layer() const { return slabs_.first(ranks_.rank()); }
   int32_t end_layer() const { return slabs_.end(ranks_.rank()); }
   /// The layers that may have particles of this rank or their ghosts, where this is the extent of all.
   int32_t layers_within(const GridView& grid, const Aabb& extent) const;
+  /// Finds which layers have particles, of which the first `count` are on this rank. Returns how many layers
+  /// there are, on all ranks and on this one with its ghosts.
+  struct OccupiedLayers {
+    uint32_t all;
+    int32_t own;
+  };
+  template <class Points>
+  OccupiedLayers find_layers(const Points& points, const GridView& grid, uint32_t count);
 
   /// Sends the first `count` particles to where points(i) is, and writes those that arrive behind them.
   /// Returns how many there are then. Throws LacksRoom before anything is sent.
@@ -69,9 +78,15 @@ class RankExchange final : public GhostExchange {
   void note_sorted(View<const Vec4> position, const GridView& grid, uint32_t owned, uint32_t ghosts);
   void refresh(void* values, uint32_t words) override;
   void add_up(std::span<uint64_t> values) override { ranks_.add_up(values); }
+  int rank() const override { return ranks_.rank(); }
+  std::span<const GhostExchange::Layers> corner_layers() const override { return corner_layers_; }
+  void share(uint32_t* words, std::span<const size_t> starts) override;
+  void pass_up(const uint32_t* sent, uint32_t* received, size_t words) override;
+  uint32_t hand_over(const GridView& grid, uint32_t count, const std::vector<WordArray>& arrays) override;
+  void take_over(uint32_t first, const std::vector<WordArray>& arrays) override;
 
  private:
-  struct Layers {
+  struct Histogram {
     int32_t first;
     std::vector<uint64_t> counts;
   };
@@ -79,7 +94,14 @@ class RankExchange final : public GhostExchange {
   template <class Tags>
   std::vector<Selected> select(uint32_t count, const Tags& tags);
   size_t least_layers() const { return size_t{Slabs::least_layers} * static_cast<size_t>(ranks_.count()); }
-  Layers count_layers(const ParticleView& particles, const GridView& grid, const Aabb& extent);
+  /// Chooses what leaves: the elements below count, for the ranks that are their tags. Returns how many
+  /// arrive.
+  template <class Tags>
+  uint32_t choose_leaving(uint32_t count, const Tags& tags);
+  void send_leaving(const std::vector<WordArray>& arrays);
+  View<const int32_t> write_cuts();
+  void cut(Histogram layers);
+  Histogram count_layers(const ParticleView& particles, const GridView& grid, const Aabb& extent);
   void exchange(std::span<const Sent> sent, std::span<const Received> received);
   void pack(const WordArray& from, View<const uint32_t> list, uint32_t* to);
 
@@ -88,6 +110,7 @@ class RankExchange final : public GhostExchange {
   bool layers_along_y_;
   CutPolicy policy_;
   Slabs slabs_, even_slabs_;
+  std::vector<GhostExchange::Layers> corner_layers_;  // by rank
   int looks_ = 0, steps_ = 0;
   uint32_t capacity_ = 0;
 
@@ -98,14 +121,18 @@ class RankExchange final : public GhostExchange {
     uint32_t first_needed = 0, first_ghost = 0;  // in lists_
   };
   std::vector<Side> sides_;
+  /// Elements by rank, of the last message.
+  std::vector<uint32_t> to_, from_;
 
   Buffer<uint32_t> counts_{device_, "exchange counts"};
   Buffer<uint32_t> start_{device_, "exchange offsets"};
   Buffer<Selected> selected_{device_, "exchanged particles"};
   Buffer<uint32_t> lists_{device_, "exchange lists"};
+  Buffer<uint32_t> leaving_{device_, "exchange lists"};
   Buffer<uint32_t> out_{device_, "messages"}, in_{device_, "messages"};
   Buffer<int32_t> cuts_{device_, "cuts between ranks"};
   Buffer<uint32_t> histogram_{device_, "particles by layer"};
+  Buffer<GhostExchange::Layers> occupied_{device_, "layers with particles"};
 };
 
 }  // namespace meniscus::pbd

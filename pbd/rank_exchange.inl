@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <numeric>
 
 #include "pbd/device/access.h"
 #include "pbd/rank_exchange.h"
@@ -39,13 +40,13 @@ void RankExchange<D>::reserve(uint32_t capacity) {
 // ---- where the cuts are ----
 
 template <class D>
-typename RankExchange<D>::Layers RankExchange<D>::count_layers(const ParticleView& particles,
-                                                               const GridView& grid, const Aabb& extent) {
-  constexpr int32_t most = 1 << 16;  // beyond them, stray particles count for the ends
+typename RankExchange<D>::Histogram RankExchange<D>::count_layers(const ParticleView& particles,
+                                                                  const GridView& grid, const Aabb& extent) {
   GridView shape = grid;
   shape.layers_along_y = layers_along_y_;
   const auto layer_of = [&](Vec3 p) { return shape.layer(shape.coordinates(p)); };
-  const int32_t first = layer_of(extent.lower), layers = std::min(layer_of(extent.upper) - first + 1, most);
+  const int32_t first = layer_of(extent.lower),
+                layers = std::min(layer_of(extent.upper) - first + 1, rank_kernels::most_layers);
   const auto count = static_cast<uint32_t>(std::max(layers, 1));
   rank_kernels::make_room(histogram_, count);
   histogram_.fill(0);
@@ -65,21 +66,60 @@ int32_t RankExchange<D>::layers_within(const GridView& grid, const Aabb& extent)
   return std::max(last - first + 1, 1) + 2;
 }
 
+/// A layer with particles has corners on both of its sides. The corners below have edges that reach into it.
+template <class D>
+template <class Points>
+typename RankExchange<D>::OccupiedLayers RankExchange<D>::find_layers(const Points& points,
+                                                                      const GridView& grid, uint32_t count) {
+  using namespace rank_kernels;
+  occupied_.resize_discard(1);
+  device_.reduce("ranks/occupied", count, no_layers, LayersOf<Points>{points, grid}, MergeLayers{},
+                 occupied_.view());
+  GhostExchange::Layers all = no_layers;
+  for (const GhostExchange::Layers& of_rank : values_of_all(ranks_, occupied_.read(1)[0]))
+    all = MergeLayers{}(all, of_rank);
+  corner_layers_.clear();
+  for (int r = 0; r < ranks_.count(); ++r)
+    corner_layers_.push_back(
+        {std::max(slabs_.first(r), all.first - 1), std::min(slabs_.end(r), all.end + 1)});
+  if (all.first >= all.end) return {0, 1};
+  const int32_t first = std::max(first_layer() - 1, all.first), last = std::min(end_layer() + 1, all.end);
+  return {static_cast<uint32_t>(all.end - all.first), std::max(last - first, 1)};
+}
+
 template <class D>
 void RankExchange<D>::cut_all(const ParticleView& particles, const GridView& grid, const Aabb& extent) {
-  Layers layers = count_layers(particles, grid, extent);
-  if (policy_.expects_more) {
-    const bool is_empty = !(extent.lower.z <= extent.upper.z);
-    if (is_empty) layers.first = 0;
-    layers.counts.resize(std::max(layers.counts.size(), least_layers()));
-  }
+  Histogram layers = count_layers(particles, grid, extent);
+  const bool is_empty = !(extent.lower.z <= extent.upper.z);
+  if (is_empty) layers.first = 0;
+  cut(std::move(layers));
+}
+
+template <class D>
+void RankExchange<D>::cut_all(std::span<const Vec4> positions, const GridView& grid) {
+  GridView shape = grid;
+  shape.layers_along_y = layers_along_y_;
+  std::vector<int32_t> layer_of;
+  for (const Vec4& p : positions) layer_of.push_back(shape.layer(shape.coordinates(p.xyz())));
+  if (layer_of.empty()) return cut({0, {0}});
+  const auto [least, most] = std::minmax_element(layer_of.begin(), layer_of.end());
+  Histogram layers{*least, std::vector<uint64_t>(
+                               static_cast<size_t>(std::min(*most - *least + 1, rank_kernels::most_layers)))};
+  for (const int32_t layer : layer_of)
+    ++layers.counts[std::min(static_cast<size_t>(layer - layers.first), layers.counts.size() - 1)];
+  cut(std::move(layers));
+}
+
+template <class D>
+void RankExchange<D>::cut(Histogram layers) {
+  if (policy_.expects_more) layers.counts.resize(std::max(layers.counts.size(), least_layers()));
   slabs_ = even_slabs_ = Slabs(layers.first, layers.counts, ranks_.count());
 }
 
 template <class D>
 void RankExchange<D>::balance(const ParticleView& particles, const GridView& grid, const Aabb& extent) {
   if (steps_++ % policy_.every != 0 || !(extent.lower.z <= extent.upper.z)) return;
-  Layers layers = count_layers(particles, grid, extent);
+  Histogram layers = count_layers(particles, grid, extent);
   ranks_.add_up(layers.counts);
   const bool has_room = layers.counts.size() >= least_layers();
   if (has_room && even_slabs_.imbalance(layers.first, layers.counts) > policy_.most_imbalance)
@@ -94,6 +134,8 @@ template <class Tags>
 std::vector<Selected> RankExchange<D>::select(uint32_t count, const Tags& tags) {
   using namespace rank_kernels;
   if (count == 0) return {};
+  make_room(counts_, count);
+  make_room(start_, size_t{count} + 1);
   device_.parallel_for("ranks/count", count, CountTags<Tags>{tags, counts_.view()});
   device_.exclusive_scan("ranks/offsets", View<const uint32_t>{counts_.view().data, count}, start_.view());
   uint32_t total = 0;
@@ -108,50 +150,73 @@ template <class D>
 template <class Points>
 uint32_t RankExchange<D>::send(const Points& points, const GridView& grid, uint32_t count,
                                const std::vector<WordArray>& arrays) {
-  using namespace rank_kernels;
-  const auto ranks = static_cast<size_t>(ranks_.count());
-  make_room(cuts_, ranks);
+  const rank_kernels::Destinations<Points> destinations{points, grid, write_cuts(),
+                                                        static_cast<uint32_t>(ranks_.rank())};
+  const uint32_t arriving = choose_leaving(count, destinations);
+  if (is_on_any(ranks_, count + arriving > capacity_)) throw LacksRoom{count + arriving};
+  send_leaving(arrays);
+  take_over(count, arrays);
+  return count + arriving;
+}
+
+template <class D>
+View<const int32_t> RankExchange<D>::write_cuts() {
+  rank_kernels::make_room(cuts_, static_cast<size_t>(ranks_.count()));
   cuts_.write(slabs_.cuts());
-  const View<const int32_t> cuts = View<const int32_t>(cuts_.view()).first(static_cast<uint32_t>(ranks) - 1);
-  std::vector<Selected> leaving =
-      select(count, Destinations<Points>{points, grid, cuts, static_cast<uint32_t>(ranks_.rank())});
+  return View<const int32_t>(cuts_.view()).first(static_cast<uint32_t>(ranks_.count()) - 1);
+}
+
+template <class D>
+template <class Tags>
+uint32_t RankExchange<D>::choose_leaving(uint32_t count, const Tags& tags) {
+  std::vector<Selected> leaving = select(count, tags);
   std::stable_sort(leaving.begin(), leaving.end(),
                    [](const Selected& a, const Selected& b) { return a.tag < b.tag; });
-  std::vector<uint32_t> list, to(ranks), from(ranks);
+  const auto ranks = static_cast<size_t>(ranks_.count());
+  to_.assign(ranks, 0);
+  from_.assign(ranks, 0);
+  std::vector<uint32_t> list;
   for (const Selected& s : leaving) {
     list.push_back(s.index);
-    ++to[s.tag];
+    ++to_[s.tag];
   }
-  ranks_.transpose(to, from);
+  ranks_.transpose(to_, from_);
+  rank_kernels::make_room(leaving_, list.size());
+  leaving_.write(list);
+  return std::accumulate(from_.begin(), from_.end(), 0u);
+}
 
-  uint32_t words = 0, arriving = 0;
+template <class D>
+void RankExchange<D>::send_leaving(const std::vector<WordArray>& arrays) {
+  using namespace rank_kernels;
+  uint32_t words = 0;
   for (const WordArray& a : arrays) words += a.words;
-  for (const uint32_t n : from) arriving += n;
-  if (is_on_any(ranks_, count + arriving > capacity_)) throw LacksRoom{count + arriving};
-  make_room(lists_, list.size());
-  make_room(out_, list.size() * words);
-  make_room(in_, size_t{arriving} * words);
-  lists_.write(list);
+  make_room(out_, std::accumulate(to_.begin(), to_.end(), size_t{0}) * words);
+  make_room(in_, std::accumulate(from_.begin(), from_.end(), size_t{0}) * words);
   std::vector<Sent> sent;
   std::vector<Received> received;
   uint32_t* out = out_.view().data;
-  const uint32_t* next = lists_.view().data;
+  const uint32_t* next = leaving_.view().data;
   uint32_t* in = in_.view().data;
-  for (size_t r = 0; r < ranks; ++r) {
-    const size_t sent_words = size_t{to[r]} * words, received_words = size_t{from[r]} * words;
+  for (size_t r = 0; r < to_.size(); ++r) {
+    const size_t sent_words = size_t{to_[r]} * words, received_words = size_t{from_[r]} * words;
     sent.push_back({static_cast<int>(r), out, sent_words * sizeof(uint32_t)});
     received.push_back({static_cast<int>(r), in, received_words * sizeof(uint32_t)});
     for (const WordArray& a : arrays) {
-      pack(a, {next, to[r]}, out);
-      out += size_t{to[r]} * a.words;
+      pack(a, {next, to_[r]}, out);
+      out += size_t{to_[r]} * a.words;
     }
-    next += to[r];
+    next += to_[r];
     in += received_words;
   }
   exchange(sent, received);
-  uint32_t place = count;
+}
+
+template <class D>
+void RankExchange<D>::take_over(uint32_t first, const std::vector<WordArray>& arrays) {
+  uint32_t place = first;
   const uint32_t* arrived = in_.view().data;
-  for (const uint32_t n : from) {
+  for (const uint32_t n : from_) {
     for (const WordArray& a : arrays) {
       const size_t size = size_t{n} * a.words;
       if (n) device_.copy(a.data + size_t{place} * a.words, arrived, size * sizeof(uint32_t));
@@ -159,7 +224,15 @@ uint32_t RankExchange<D>::send(const Points& points, const GridView& grid, uint3
     }
     place += n;
   }
-  return place;
+}
+
+template <class D>
+uint32_t RankExchange<D>::hand_over(const GridView& grid, uint32_t count,
+                                    const std::vector<WordArray>& arrays) {
+  const uint32_t arriving = choose_leaving(
+      count, rank_kernels::Owners{arrays.front(), grid, write_cuts(), static_cast<uint32_t>(ranks_.rank())});
+  send_leaving(arrays);
+  return arriving;
 }
 
 /// Of messages in the device's memory, in the order of its launches.
@@ -233,6 +306,31 @@ void RankExchange<D>::refresh(void* values, uint32_t words) {
     device_.parallel_for("ranks/unpack", list.count, Unpack{in, list, array});
     in += side.ghosts.size() * words;
   }
+}
+
+// ---- values at corners of cells ----
+
+template <class D>
+void RankExchange<D>::share(uint32_t* words, std::span<const size_t> starts) {
+  const auto self = static_cast<size_t>(ranks_.rank());
+  std::vector<Sent> sent;
+  std::vector<Received> received;
+  const auto bytes = [&](size_t r) { return (starts[r + 1] - starts[r]) * sizeof(uint32_t); };
+  for (size_t r = 0; r + 1 < starts.size(); ++r) {
+    if (r == self) continue;
+    sent.push_back({static_cast<int>(r), words + starts[self], bytes(self)});
+    received.push_back({static_cast<int>(r), words + starts[r], bytes(r)});
+  }
+  exchange(sent, received);
+}
+
+template <class D>
+void RankExchange<D>::pass_up(const uint32_t* sent, uint32_t* received, size_t words) {
+  const int rank = ranks_.rank();
+  const Sent up{rank + 1, sent, words * sizeof(uint32_t)};
+  const Received from_below{rank - 1, received, words * sizeof(uint32_t)};
+  exchange({&up, rank + 1 < ranks_.count() ? size_t{1} : size_t{0}},
+           {&from_below, rank > 0 ? size_t{1} : size_t{0}});
 }
 
 }  // namespace meniscus::pbd

@@ -4,6 +4,8 @@
 // The kernels of RankExchange: which particles go where, and how their values are packed.
 #pragma once
 
+#include <cstring>
+
 #include "pbd/device/base/atomics.h"
 #include "pbd/rank_exchange.h"
 
@@ -32,6 +34,48 @@ struct Destinations {
       visit(rank);
       last = rank;
     }
+  }
+};
+
+/// The rank in whose slab element i is, if that is another one.
+struct Owners {
+  WordArray elements;  ///< each begins with a position
+  GridView grid;
+  View<const int32_t> cuts;
+  uint32_t self;
+
+  template <class Visit>
+  MENISCUS_HD void for_each(uint32_t i, const Visit& visit) const {
+    Vec3 p;
+    memcpy(&p, elements.data + static_cast<size_t>(i) * elements.words, sizeof p);
+    if (!is_finite(p)) return;
+    const int32_t layer = grid.layer(grid.coordinates(p));
+    uint32_t rank = 0;
+    while (rank < cuts.count && layer >= cuts[rank]) ++rank;
+    if (rank != self) visit(rank);
+  }
+};
+
+/// The least range of layers that contains all particles; that of none.
+inline constexpr GhostExchange::Layers no_layers{Slabs::unbounded, -Slabs::unbounded};
+
+template <class Points>
+struct LayersOf {
+  Points points;
+  GridView grid;
+
+  MENISCUS_HD GhostExchange::Layers operator()(uint32_t i) const {
+    const Vec3 p = points(i).xyz();
+    if (!is_finite(p)) return {Slabs::unbounded, -Slabs::unbounded};
+    const int32_t layer = grid.layer(grid.coordinates(p));
+    return {layer, layer + 1};
+  }
+};
+
+struct MergeLayers {
+  MENISCUS_HD GhostExchange::Layers operator()(GhostExchange::Layers a,
+                                               const GhostExchange::Layers& b) const {
+    return {a.first < b.first ? a.first : b.first, a.end > b.end ? a.end : b.end};
   }
 };
 
@@ -101,6 +145,9 @@ struct Unpack {
     for (uint32_t w = 0; w < to.words; ++w) target[w] = from[static_cast<size_t>(k) * to.words + w];
   }
 };
+
+/// Of a histogram. Stray particles beyond them count for its ends.
+inline constexpr int32_t most_layers = 1 << 16;
 
 /// Layers beyond those of the histogram count for its ends.
 struct CountLayers {

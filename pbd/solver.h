@@ -139,6 +139,12 @@ class Solver {
   /// particles in this rank's slab. Throws Error(capacity) if there are too few layers for the ranks. There
   /// must be no vertices.
   void share(Ranks& ranks, const CutPolicy& policy);
+  /// The same while no particles are here: those at these positions are to come. Append those that
+  /// may_need() says, and then call keep_own().
+  void cut(Ranks& ranks, const CutPolicy& policy, std::span<const Vec4> positions);
+  bool may_need(Vec3 p) const { return search_.grid().holds(search_.grid().coordinates(p)); }
+  /// This rank has all particles that it needs, and keeps its own.
+  void keep_own();
   bool is_shared() const { return exchange_.has_value(); }
   /// Whether a new particle at p belongs to this rank.
   bool owns(Vec3 p) const { return search_.grid().owns(search_.grid().coordinates(p)); }
@@ -160,6 +166,7 @@ class Solver {
   solver_kernels::Prediction predict(float dt, Vec3 gravity);
   void sort(const solver_kernels::Prediction& prediction);
   CellOrder order_among_ranks(const solver_kernels::Prediction& prediction);
+  void join(Ranks& ranks, const CutPolicy& policy);
   void merge_over_ranks();
   void add_results_of_ranks(StepResult& result);
   void keep_own_room();
@@ -193,6 +200,8 @@ class Solver {
   void summarize();
   void update_velocities(const Substep<D>& s);
   int choose_substeps(float dt);
+  bool needs_own_cells() const;
+  Aabb table_extent();
   static MotionView motion_of(const Substep<D>& s);
   bool is_fast(float dt) const;
   Substep<D> make_substep(float dt);
@@ -210,7 +219,7 @@ class Solver {
   ContactArrays<D> contacts_;
   SeamGhosts<D> ghosts_;
   std::optional<RankExchange<D>> exchange_;  // of a shared world
-  bool has_all_particles_ = false;           // of all ranks: nothing needs to be sent
+  bool has_all_particles_ = false;           // that this rank needs: nothing is sent
   uint32_t all_particles_ = 0;               // of all ranks
   uint32_t rank_ghosts_ = 0;
   KeptWorld<D> kept_world_;
@@ -234,7 +243,8 @@ class Solver {
   float step_dt_ = 0;       // s, of the step that was begun
   int step_substeps_ = 0;   // of that step
   int step_iterations_ = 0;
-  float step_speed_ = 0;  // m/s, the upper limit of a particle's speed in the present step
+  float step_speed_ = 0;   // m/s, the upper limit of a particle's speed in the present step
+  float step_motion_ = 0;  // m, in the present step at that speed
   enum class SummaryState { unknown, on_device, known } summary_state_ = SummaryState::unknown;
 };
 

@@ -120,10 +120,13 @@ template <class D>
 void DensitySet<D>::project(pbd::Substep<D>& substep, int iteration) {
   using namespace density_kernels;
   if (by_baseline_) return baseline_->project(substep, multiplier_.current.view(), iteration);
-  if (!substep.particles.has_fluid() || !any_fluid_) return;
+  const bool has_fluid = substep.particles.has_fluid();
+  const bool shares_nodes = pressure_grid_ && substep.ghosts.exchange;
+  if ((!has_fluid && !shares_nodes) || !any_fluid_) return;
   if (pressure_grid_ && iteration == 0) {
     pressure_grid_->displace(substep, parameters_.compressibility, multiplier_.current.view(), allowed_);
   }
+  if (!has_fluid) return;
   const pbd::IterationWeights weights = parameters_.chebyshev ? chebyshev_.next(iteration, substep.iterations)
                                                               : pbd::IterationWeights{0, relaxation_};
   const bool last = iteration + 1 == substep.iterations;
@@ -200,11 +203,13 @@ void DensitySet<D>::iterate(const K& kernel, pbd::Substep<D>& substep,
               Advance<K, grains>{kernel, substep.neighbours, contacts.start, advancing},
               contacts.contacts.count,
               AdvanceAtWalls<K, motion, grains>{kernel, substep.neighbours, contacts, advancing});
-  if (extrapolates_)
+  if (extrapolates_) {
+    if (substep.ghosts.exchange) refresh_ghost_positions(device_, substep.ghosts, staged_.view());
     device_.parallel_for(
         "density/pistons", fluid,
         ExtrapolateToPistons<K>{kernel, substep.neighbours, substep.particles.phase, staged_.view(),
                                 multiplier_.current.view(), advancing.first});
+  }
   refresh_ghost_positions(device_, substep.ghosts, staged_.view());
   // The first iteration applies the initial multipliers, so it always runs.
   if (stop_) {

@@ -17,8 +17,10 @@
 #include <meniscus/defs.h>
 #include <meniscus/outputs.h>
 
+#include <compare>
 #include <functional>
 #include <utility>
+#include <vector>
 
 #include "pbd/substep.h"
 
@@ -40,7 +42,17 @@ struct PendingDiffuse {
   pbd::View<const uint32_t> count;       ///< one element, on the device: the number of particles
 };
 
+/// The order of the particles in a world alone: by the step of their birth, then by the slot that the fluid
+/// particle had which created them, then by their turn.
+struct DiffuseKey {
+  uint32_t step, slot, turn;
+
+  auto operator<=>(const DiffuseKey&) const = default;
+};
+
 /// Advances the particles in a step's last substep. New particles count once the step is accepted.
+///
+/// In a world that ranks share, each has the particles in its slab.
 template <class D>
 class Diffuse final : public pbd::Observer<D> {
  public:
@@ -57,21 +69,36 @@ class Diffuse final : public pbd::Observer<D> {
   /// Accepts the step.
   void accept();
   void visit_state(pbd::StateVisitor& v) {
-    v.value("count", count_);
+    v.value("count", is_shared_ ? all_count_ : count_);
     v.value("refused", refused_);
     v.value("step", step_);
-    v.array("particle", present_.view(), count_);
+    v.array("particle", is_shared_ ? gathered_.view() : present_.view(), count());
     any_pending_ = false;
   }
 
-  uint32_t count() const { return count_; }
+  uint32_t count() const { return is_shared_ ? all_count_ : count_; }  ///< of all ranks
   uint32_t refused() const { return refused_; }  ///< in the last step, beyond the capacity
   void read(std::span<DiffuseParticle> out) const { present_.read(out); }
+
+  /// From now on ranks share the world. Keeps the particles for which owns(position) is true.
+  void share(const std::function<bool(Vec3)>& owns);
+  struct Own {
+    DiffuseKey key;
+    DiffuseParticle particle;
+  };
+  std::vector<Own> read_own() const;
+  /// In a shared world: what visit_state() takes for the particles of all ranks.
+  void set_gathered(std::span<const DiffuseParticle> particles);
 
  private:
   void reserve(uint32_t particles);
   void move(const pbd::Substep<D>& substep);
   void make(const pbd::Substep<D>& substep);
+  uint32_t exchange_particles(const pbd::Substep<D>& substep);
+  bool is_shared() const { return is_shared_; }
+  void agree_on_births(const pbd::Substep<D>& substep);
+  void limit_births(const pbd::Substep<D>& substep, uint64_t room);
+  std::vector<pbd::WordArray> carried();
 
   D& device_;
   DiffuseParameters parameters_;
@@ -79,6 +106,9 @@ class Diffuse final : public pbd::Observer<D> {
   uint32_t count_ = 0, refused_ = 0, step_ = 0;
   float elapsed_ = 0;  // s, in the present step
   bool any_pending_ = false;
+  bool is_shared_ = false;
+  uint32_t candidates_ = 0;  // in the present step: present particles and those of other ranks
+  uint32_t all_count_ = 0, next_all_count_ = 0, next_refused_ = 0;  // of all ranks
   pbd::Buffer<DiffuseParticle> present_{device_, "spray, foam and bubbles"};
   pbd::Buffer<DiffuseParticle> moved_{device_, "spray, foam and bubbles"};
   pbd::Buffer<DiffuseParticle> next_{device_, "spray, foam and bubbles"};
@@ -88,6 +118,9 @@ class Diffuse final : public pbd::Observer<D> {
   pbd::Buffer<uint32_t> born_{device_, "new foam"};
   pbd::Buffer<uint32_t> birth_place_{device_, "places of new foam"};
   pbd::Buffer<uint32_t> totals_{device_, "foam counts"};
+  // In a shared world.
+  pbd::Buffer<DiffuseKey> keys_{device_, "order of foam"}, next_keys_{device_, "order of foam"};
+  pbd::Buffer<DiffuseParticle> gathered_{device_, "foam of all ranks"};
 };
 
 }  // namespace meniscus::fluid

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "fluid/diffuse/diffuse_kernels.h"
+#include "fluid/diffuse/over_ranks.inl"
 
 namespace meniscus::fluid {
 
@@ -41,14 +42,21 @@ void Diffuse<D>::observe(const pbd::Substep<D>& substep) {
 template <class D>
 void Diffuse<D>::move(const pbd::Substep<D>& s) {
   using namespace diffuse_kernels;
-  const pbd::View<DiffuseParticle> advanced = moved_.view().first(count_);
-  device_.parallel_for("diffuse/move", count_,
+  candidates_ = count_ + exchange_particles(s);
+  const pbd::View<const DiffuseParticle> before = present_.view();
+  const pbd::View<DiffuseParticle> advanced = moved_.view().first(candidates_);
+  device_.parallel_for("diffuse/move", candidates_,
                        Move{parameters_, s.particles.position, s.particles.velocity, s.particles.phase,
-                            s.grid, s.particles.sorted, elapsed_, present_.view(), advanced});
-  const pbd::View<uint32_t> alive = alive_.view().first(count_);
-  device_.parallel_for("diffuse/alive", count_, MarkAlive{advanced, alive});
+                            s.grid, s.particles.sorted + s.particles.ghosts, elapsed_, before, advanced});
+  const pbd::View<uint32_t> alive = alive_.view().first(candidates_);
+  device_.parallel_for("diffuse/alive", candidates_, MarkAlive{advanced, alive});
+  if (is_shared()) device_.parallel_for("diffuse/left", count_, MarkHandedOver{before, s.grid, alive});
   device_.exclusive_scan("diffuse/places", alive, place_.view());
-  device_.parallel_for("diffuse/keep", count_, KeepAlive{advanced, place_.view(), next_.view()});
+  device_.parallel_for("diffuse/keep", candidates_,
+                       KeepAlive<DiffuseParticle>{advanced, place_.view(), next_.view()});
+  if (is_shared())
+    device_.parallel_for("diffuse/keep", candidates_,
+                         KeepAlive<DiffuseKey>{keys_.view(), place_.view(), next_keys_.view()});
 }
 
 template <class D>
@@ -56,20 +64,27 @@ void Diffuse<D>::make(const pbd::Substep<D>& s) {
   using namespace diffuse_kernels;
   const pbd::ParticleView& p = s.particles;
   const uint32_t fluid = p.sorted;
+  const BirthPlaces places{is_shared() ? pbd::View<const uint32_t>{} : p.slot};
   reserve(s.neighbours.sentinel + 1);
   device_.parallel_for("diffuse/surface", fluid,
                        FindSurface<D>{parameters_, p.position, p.velocity, s.neighbours, normal_.view()});
+  if (is_shared()) pbd::refresh_ghosts(device_, s.ghosts, normal_.view());
   const pbd::View<uint32_t> born = born_.view().first(fluid);
   device_.parallel_for("diffuse/count", fluid,
                        CountBirths<D>{parameters_, p.position, p.velocity, normal_.view(), s.neighbours,
-                                      p.phase, p.number, step_, elapsed_, born});
+                                      p.phase, p.number, step_, elapsed_, places, born});
   device_.exclusive_scan("diffuse/births", born, birth_place_.view());
+  if (is_shared()) agree_on_births(s);
+  const pbd::View<const uint32_t> kept = place_.view().from(candidates_).first(1);
   device_.parallel_for("diffuse/make", fluid,
-                       MakeNew{parameters_, p.position, p.velocity, p.number, birth_place_.view(),
-                               place_.view().from(count_), step_, elapsed_, next_.view()});
-  device_.parallel_for("diffuse/totals", 1,
-                       NoteTotals{place_.view().from(count_), birth_place_.view().from(fluid),
-                                  parameters_.def.capacity, totals_.view()});
+                       MakeNew{parameters_, p.position, p.velocity, p.number, birth_place_.view(), kept,
+                               places, step_, elapsed_, next_.view()});
+  if (is_shared())
+    device_.parallel_for("diffuse/keys", fluid,
+                         MakeKeys{p.slot, birth_place_.view(), kept, step_ + 1, next_keys_.view()});
+  device_.parallel_for(
+      "diffuse/totals", 1,
+      NoteTotals{kept, birth_place_.view().from(fluid), parameters_.def.capacity, totals_.view()});
   if (walls_) walls_({next_.view(), totals_.view().first(1)});
 }
 
@@ -80,8 +95,10 @@ void Diffuse<D>::accept() {
   uint32_t totals[2];
   totals_.read(std::span(totals));
   count_ = totals[0];
-  refused_ = totals[1];
+  refused_ = is_shared() ? next_refused_ : totals[1];
+  all_count_ = next_all_count_;
   present_.swap(next_);
+  keys_.swap(next_keys_);
   ++step_;
 }
 

@@ -50,6 +50,14 @@ struct FindSurface {
   }
 };
 
+/// Where a fluid particle's births are counted: by slot, so that new particles have an order that does not
+/// depend on places. In a shared world by index, as other ranks have other slots.
+struct BirthPlaces {
+  View<const uint32_t> slot;
+
+  MENISCUS_HD uint32_t of(uint32_t i) const { return slot.count ? slot[i] : i; }
+};
+
 /// The number of diffuse particles that a fluid particle creates.
 template <class D>
 struct CountBirths {
@@ -60,11 +68,13 @@ struct CountBirths {
   View<const uint32_t> number;
   uint32_t step;
   float dt;
+  BirthPlaces places;
   View<uint32_t> born;
 
   MENISCUS_HD void operator()(uint32_t i) const {
     const DiffuseDef& def = parameters.def;
-    born[i] = 0;
+    const uint32_t place = places.of(i);
+    born[place] = 0;
     const Vec3 v = velocity[i].xyz();
     const float energy = fraction_of(def.energy, 0.5f * dot(v, v));
     if (pbd::is_grain(phase[i]) || !(energy > 0)) return;
@@ -75,7 +85,7 @@ struct CountBirths {
     const float n = pbd::min(rate * energy * dt, diffuse_tuning::most_births);
     const float whole = floorf(n);
     const float chance = random_numbers(number[i], step, 0).x;
-    born[i] = static_cast<uint32_t>(whole) + (chance < n - whole);
+    born[place] = static_cast<uint32_t>(whole) + (chance < n - whole);
   }
 
  private:
@@ -162,10 +172,23 @@ struct MarkAlive {
   MENISCUS_HD void operator()(uint32_t i) const { alive[i] = particles[i].life > 0; }
 };
 
+/// Marks the particles that others have now. They are in the slabs of these.
+struct MarkHandedOver {
+  View<const DiffuseParticle> before;
+  pbd::GridView grid;
+  View<uint32_t> alive;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    const Vec3 p = before[i].position;
+    if (is_finite(p) && !grid.owns(grid.coordinates(p))) alive[i] = 0;
+  }
+};
+
+template <class T>
 struct KeepAlive {
-  View<const DiffuseParticle> from;
+  View<const T> from;
   View<const uint32_t> place;
-  View<DiffuseParticle> to;
+  View<T> to;
 
   MENISCUS_HD void operator()(uint32_t i) const {
     if (place[i + 1] != place[i]) to[place[i]] = from[i];
@@ -177,12 +200,14 @@ struct MakeNew {
   DiffuseParameters parameters;
   View<const Vec4> position, velocity;
   View<const uint32_t> number, born_before, kept;  ///< kept: one element, the index at which new ones begin
+  BirthPlaces places;
   uint32_t step;
   float dt;
   View<DiffuseParticle> to;
 
   MENISCUS_HD void operator()(uint32_t i) const {
-    const uint32_t first = kept[0] + born_before[i], count = born_before[i + 1] - born_before[i];
+    const uint32_t place = places.of(i), first = kept[0] + born_before[place],
+                   count = born_before[place + 1] - born_before[place];
     for (uint32_t k = 0; k < count && first + k < to.count; ++k) to[first + k] = one(i, k);
   }
 
@@ -203,6 +228,18 @@ struct MakeNew {
     p.life = life.low + b.x * (life.high - life.low);
     p.kind = DiffuseKind::foam;
     return p;
+  }
+};
+
+/// The keys of what MakeNew creates.
+struct MakeKeys {
+  View<const uint32_t> slot, born_before, kept;
+  uint32_t step;
+  View<DiffuseKey> to;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    const uint32_t first = kept[0] + born_before[i], count = born_before[i + 1] - born_before[i];
+    for (uint32_t k = 0; k < count && first + k < to.count; ++k) to[first + k] = {step, slot[i], k};
   }
 };
 

@@ -56,6 +56,11 @@ MENISCUS_HD inline Vec3 product(Vec3 a, Vec3 b) {
   return {a.x * b.x, a.y * b.y, a.z * b.z};
 }
 
+/// Of a node's contacts.
+struct ContactSums {
+  Vec3 weights{0, 0, 0}, gives{0, 0, 0};
+};
+
 /// Sums the weights of a node's contacts, and the compliance of their bodies.
 struct WeighContacts {
   Space space;
@@ -65,25 +70,59 @@ struct WeighContacts {
   ContactView contacts;
   View<NodeLoad> load;
   View<float> give;  ///< m⁴/kg
+  FromBelow<ContactSums> below{};
 
   MENISCUS_HD void operator()(uint32_t node) const {
     const Vec3 area = areas.at(node);
-    Vec3 weights{0, 0, 0}, gives{0, 0, 0};
-    if (dot(area, area) > 0) {
-      for_each_around(space, node, found, TouchingCells{contacts.start}, [&](uint32_t i, Vec3 away) {
-        for (uint32_t n = contacts.start[i]; n < contacts.start[i + 1]; ++n) {
-          const Contact& c = contacts.contacts[n];
-          const Vec3 w = contact_weights(c, position[i].xyz(), node_weight(away), area, space.width());
-          weights += w;
-          gives += c.body_inverse_mass * product(w, w);
-        }
-      });
-    }
+    ContactSums sums = below.of(node);
+    add(node, area, sums);
     const auto over = [](float x) { return x > 0 ? 1 / x : 0.0f; };
-    const Vec3 inverse{over(weights.x), over(weights.y), over(weights.z)};
+    const Vec3 inverse{over(sums.weights.x), over(sums.weights.y), over(sums.weights.z)};
     load[node] = {area, inverse};
     const Vec3 each = product(area, inverse);
-    give[node] = dot(product(each, each), gives);
+    give[node] = dot(product(each, each), sums.gives);
+  }
+
+  MENISCUS_HD void add(uint32_t node, Vec3 area, ContactSums& sums) const {
+    if (!(dot(area, area) > 0)) return;
+    for_each_around(space, node, found, TouchingCells{contacts.start}, [&](uint32_t i, Vec3 away) {
+      for (uint32_t n = contacts.start[i]; n < contacts.start[i + 1]; ++n) {
+        const Contact& c = contacts.contacts[n];
+        const Vec3 w = contact_weights(c, position[i].xyz(), node_weight(away), area, space.width());
+        sums.weights += w;
+        sums.gives += c.body_inverse_mass * product(w, w);
+      }
+    });
+  }
+};
+
+/// For the rank above: the sums of this rank's contacts for the nodes of its first layer. Their cells come
+/// first in the order of a node's cells, so the rank above goes on from these sums.
+struct WeighContactsAbove {
+  NodeLayers layers;
+  WeighContacts weigh;
+  View<ContactSums> sums;
+
+  MENISCUS_HD void operator()(uint32_t k) const {
+    const uint32_t node = layers.node(k);
+    ContactSums all;
+    weigh.add(node, weigh.areas.at(node), all);
+    sums[k] = all;
+  }
+};
+
+/// Leaves nothing of nodes without fluid.
+struct ClearNodes {
+  View<uint32_t> flags;
+  View<float> filled, right, give;
+  View<NodeFaces> faces;
+  View<NodeLoad> load;
+
+  MENISCUS_HD void operator()(uint32_t node) const {
+    flags[node] = 0;
+    filled[node] = right[node] = give[node] = 0;
+    faces[node] = {};
+    load[node] = {};
   }
 };
 

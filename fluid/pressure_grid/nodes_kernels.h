@@ -4,6 +4,7 @@
 // Classifies the nodes of the pressure grid: in fluid, in a solid or in air.
 #pragma once
 
+#include "fluid/pressure_grid/node_layers.h"
 #include "fluid/pressure_grid/space.h"
 #include "fluid/pressure_grid/tuning.h"
 
@@ -56,6 +57,32 @@ struct NodeSources {
   float volume;  ///< m³, of a particle
 };
 
+/// The surfaces around a node, as seen from the particle that touches most of them. Lengths are in widths
+/// of a cell.
+struct Walls {
+  float open = 1, distance = 1;
+  float beside[6] = {1, 1, 1, 1, 1, 1};  ///< distances of the adjacent nodes
+  uint32_t touched = 0;                  ///< 1 if any particle touches a surface
+
+  MENISCUS_HD void add(float fraction_open, float plane, Vec3 normal) {
+    touched = 1;
+    open = pbd::min(open, fraction_open);
+    distance = pbd::min(distance, plane);
+    MENISCUS_UNROLL
+    for (int b = 0; b < 6; ++b) {
+      const float step = component(normal, b / 2);
+      beside[b] = pbd::min(beside[b], plane + (b % 2 ? step : -step));
+    }
+  }
+  MENISCUS_HD void add(const Walls& other) {
+    touched |= other.touched;
+    open *= other.open;
+    distance = pbd::min(distance, other.distance);
+    MENISCUS_UNROLL
+    for (int b = 0; b < 6; ++b) beside[b] = pbd::min(beside[b], other.beside[b]);
+  }
+};
+
 /// Classifies a node: it is fluid if particles fill half of the volume that solids leave. Without
 /// `any_moving` there is no cloth.
 template <bool any_moving>
@@ -63,32 +90,8 @@ struct GatherNodes {
   NodeSources from;
   View<uint32_t> flags;
   View<float> filled;  ///< the fraction of the node's volume that particles fill
+  FromBelow<Walls> below{};
 
-  /// The surfaces around a node, as seen from the particle that touches most of them. Lengths are in widths
-  /// of a cell.
-  struct Walls {
-    float open = 1, distance = 1;
-    float beside[6] = {1, 1, 1, 1, 1, 1};  ///< distances of the adjacent nodes
-    bool touched = false;
-
-    MENISCUS_HD void add(float fraction_open, float plane, Vec3 normal) {
-      touched = true;
-      open = pbd::min(open, fraction_open);
-      distance = pbd::min(distance, plane);
-      MENISCUS_UNROLL
-      for (int b = 0; b < 6; ++b) {
-        const float step = component(normal, b / 2);
-        beside[b] = pbd::min(beside[b], plane + (b % 2 ? step : -step));
-      }
-    }
-    MENISCUS_HD void add(const Walls& other) {
-      touched = touched || other.touched;
-      open *= other.open;
-      distance = pbd::min(distance, other.distance);
-      MENISCUS_UNROLL
-      for (int b = 0; b < 6; ++b) beside[b] = pbd::min(beside[b], other.beside[b]);
-    }
-  };
   /// What is visible from a node.
   struct Sight {
     float weight = 0;  ///< of all particles
@@ -100,12 +103,17 @@ struct GatherNodes {
     Sight sight;
     for_each_around(from.space, node, from.found, AllCells{},
                     [&](uint32_t, Vec3 away) { sight.weight += node_weight(away); });
-    for_each_around(from.space, node, from.found, TouchingCells{from.contacts.start},
-                    [&](uint32_t i, Vec3 away) { add(sight, i, away); });
+    sight.solids = below.of(node);
+    look_at_surfaces(node, sight);
     const float inverse_width = from.space.cells.inverse_reach;
     const float filled_fraction = from.volume * inverse_width * inverse_width * inverse_width * sight.weight;
     flags[node] = flags_of(sight, filled_fraction);
     filled[node] = filled_fraction;
+  }
+
+  MENISCUS_HD void look_at_surfaces(uint32_t node, Sight& sight) const {
+    for_each_around(from.space, node, from.found, TouchingCells{from.contacts.start},
+                    [&](uint32_t i, Vec3 away) { add(sight, i, away); });
   }
 
   MENISCUS_HD void add(Sight& sight, uint32_t i, Vec3 away) const {
@@ -145,6 +153,19 @@ struct GatherNodes {
       if (walls.beside[b] < deepest) flags |= wall_flag(b / 2, b % 2);
     }
     return flags;
+  }
+};
+
+/// For the rank above: the surfaces around the nodes of its first layer, as seen from particles of this rank.
+struct WallsAbove {
+  NodeLayers layers;
+  GatherNodes<false> gather;
+  View<Walls> walls;
+
+  MENISCUS_HD void operator()(uint32_t k) const {
+    GatherNodes<false>::Sight sight;
+    gather.look_at_surfaces(layers.node(k), sight);
+    walls[k] = sight.solids;
   }
 };
 

@@ -8,6 +8,7 @@
 #include "fluid/pressure_grid/load_kernels.h"
 #include "fluid/pressure_grid/multigrid.h"
 #include "fluid/pressure_grid/sealed_components.h"
+#include "fluid/pressure_grid/shared_nodes.h"
 #include "pbd/substep.h"
 
 namespace meniscus::fluid {
@@ -32,6 +33,9 @@ namespace meniscus::fluid {
 ///
 /// This follows the pressure projection of grid methods (Batty, Bertails & Bridson 2007 for the open
 /// fractions of faces), with the density error instead of the divergence.
+///
+/// Where ranks share the world, each finds what the nodes of its slab have. All ranks have all nodes, and
+/// solve the same equation.
 template <class D>
 class PressureGrid {
  public:
@@ -47,9 +51,12 @@ class PressureGrid {
   pbd::View<const float> multipliers() const { return multiplier_.view(); }
 
  private:
-  void fit(const pbd::GridView& cells);
+  bool fit(const pbd::Substep<D>& substep);
+  void reserve_nodes(uint32_t count);
+  void clear_nodes();
   void find_excess(pbd::Substep<D>& substep, pbd::View<const density_kernels::Multiplier> last,
                    pbd::View<const float> allowed);
+  void classify(pbd::Substep<D>& substep);
   void gather(pbd::Substep<D>& substep, float compressibility);
   void move(pbd::Substep<D>& substep);
   grid_kernels::NodeMap map() const { return {space_.nodes, flags_.view()}; }
@@ -59,6 +66,7 @@ class PressureGrid {
   Kernel kernel_;
   Multigrid<D> multigrid_;
   SealedComponents<D> components_{device_};
+  SharedNodes<D> shared_{device_};
   grid_kernels::Space space_;
 
   pbd::Buffer<grid_kernels::Found> found_{device_, "density excess"};

@@ -8,6 +8,7 @@
 #include "fluid/pressure_grid/node_table.h"
 #include "pbd/contacts.h"
 #include "pbd/device/base/view.h"
+#include "pbd/ghosts.h"
 #include "pbd/grid.h"
 #include "pbd/math/vec.h"
 
@@ -27,6 +28,7 @@ struct Place {
 struct Space {
   pbd::GridView cells;
   NodeTable nodes;
+  pbd::GhostExchange::Layers layers{0, 0};  ///< of a slab's world: those of cells with particles
 
   /// The position of particle i in the cell by which it was sorted, clamped to the cell. Nodes and faces
   /// gather by cells, so both directions of the transfer must use the same cell.
@@ -53,13 +55,29 @@ struct Space {
   MENISCUS_HD float width() const { return 1 / cells.inverse_reach; }
   /// The particles of the cell behind a node: its slices are adjacent.
   MENISCUS_HD pbd::Run particles_behind(uint32_t node) const {
+    if (cells.is_slab()) return particles_in_slab(nodes.coordinates(node));
     return {cells.start[slices * node], cells.start[slices * (node + 1)]};
   }
 
   static constexpr uint32_t slices = pbd::GridView::slices;
   static_assert(slices == 4);
 
+  /// The axis of the layers of a slab.
+  MENISCUS_HD int layer_axis() const { return cells.layers_along_y ? 1 : 2; }
+
  private:
+  /// The table of a slab has the cells of its own layers and of its ghosts.
+  MENISCUS_HD pbd::Run particles_in_slab(NodeCoordinates c) const {
+    const int axis = layer_axis();
+    const uint32_t from_first = (static_cast<uint32_t>(c.at[axis]) - static_cast<uint32_t>(layers.first)) &
+                                ((1u << nodes.bits[axis]) - 1);
+    c.at[axis] = layers.first + static_cast<int32_t>(from_first);
+    if (c.at[axis] >= layers.end) return {0, 0};
+    const pbd::CellCoordinates cell{static_cast<int32_t>(slices) * c.at[0], c.at[1], c.at[2]};
+    if (!cells.holds(cell)) return {0, 0};
+    const uint32_t first = cells.key(cell);
+    return {cells.start[first], cells.start[first + slices]};
+  }
   MENISCUS_HD bool holds(const NodeCoordinates& cell, uint32_t i) const {
     const pbd::Run run = particles_behind(nodes.index(cell));
     return run.begin <= i && i < run.end;
@@ -96,13 +114,17 @@ MENISCUS_HD void for_each_face(const NodeTable& nodes, const Place& p, int axis,
 using Found = Vec4;
 
 /// Calls visit(particle, offset to the node in widths of a cell) for the particles of the eight cells around.
-/// Skips cells for which `wanted(first, end)`, called with their range of particles, is false.
+/// Skips cells for which `wanted(first, end)`, called with their range of particles, is false. The cells of
+/// the layer before the node come first.
 template <class Wanted, class Visit>
 MENISCUS_HD void for_each_around(const Space& space, uint32_t node, View<const Found> found,
                                  const Wanted& wanted, const Visit& visit) {
   const NodeCoordinates c = space.nodes.coordinates(node);
   for (int k = 0; k < 8; ++k) {
-    const int x = k & 1, y = k >> 1 & 1, z = k >> 2;  // 0: the cell lies before the node
+    // 0: the cell lies before the node
+    const int x = k & 1, across = k >> 1 & 1, layer = k >> 2;
+    const int y = space.cells.layers_along_y ? layer : across,
+              z = space.cells.layers_along_y ? across : layer;
     const uint32_t cell = space.nodes.index(c.at[0] + x - 1, c.at[1] + y - 1, c.at[2] + z - 1);
     const auto [first, end] = space.particles_behind(cell);
     if (first == end || !wanted(first, end)) continue;
@@ -117,12 +139,12 @@ struct AllCells {
   MENISCUS_HD bool operator()(uint32_t, uint32_t) const { return true; }
 };
 
-/// The contacts of cells: contacts are in the order of their particles.
+/// The contacts of cells: contacts are in the order of their particles. Ghosts have none.
 struct TouchingCells {
   View<const uint32_t> contact_start;
 
   MENISCUS_HD bool operator()(uint32_t first, uint32_t end) const {
-    return contact_start[first] != contact_start[end];
+    return end < contact_start.count && contact_start[first] != contact_start[end];
   }
 };
 

@@ -103,6 +103,27 @@ std::vector<T> lists_of_all(Ranks& ranks, std::span<const T> own) {
   return all;
 }
 
+/// The same on rank 0 alone. The others get nothing.
+template <class T>
+std::vector<T> lists_on_first(Ranks& ranks, std::span<const T> own) {
+  const std::vector<uint64_t> counts = values_of_all(ranks, uint64_t{own.size()});
+  if (ranks.rank() != 0) {
+    const Sent sent{0, own.data(), own.size_bytes()};
+    ranks.exchange({&sent, 1}, {});
+    return {};
+  }
+  std::vector<T> all(std::accumulate(counts.begin(), counts.end(), uint64_t{0}));
+  std::copy(own.begin(), own.end(), all.begin());
+  std::vector<Received> received;
+  T* place = all.data() + own.size();
+  for (size_t r = 1; r < counts.size(); ++r) {
+    received.push_back({static_cast<int>(r), place, counts[r] * sizeof(T)});
+    place += counts[r];
+  }
+  ranks.exchange({}, received);
+  return all;
+}
+
 /// Gives all ranks the values of rank 0. The others have room for as many.
 template <class T>
 void copy_from_first(Ranks& ranks, std::span<T> values) {
@@ -111,6 +132,16 @@ void copy_from_first(Ranks& ranks, std::span<T> values) {
     sent.push_back({r, values.data(), values.size_bytes()});
   const Received received{0, values.data(), values.size_bytes()};
   ranks.exchange(sent, {&received, ranks.rank() == 0 ? size_t{0} : size_t{1}});
+}
+
+/// The list of rank 0, on all ranks.
+template <class T>
+std::vector<T> list_of_first(Ranks& ranks, std::vector<T> list) {
+  uint64_t size = list.size();
+  copy_from_first(ranks, std::span(&size, 1));
+  list.resize(size);
+  copy_from_first(ranks, std::span(list));
+  return list;
 }
 
 /// Whether it is so on any rank.

@@ -4,6 +4,9 @@
 // How the cells of a shared world are divided among ranks: into slabs of whole layers of cells.
 #pragma once
 
+#include <meniscus/types.h>
+
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -41,5 +44,10 @@ class Slabs {
  private:
   std::vector<int32_t> cuts_;
 };
+
+/// The axis of a world's slabs follows from its definition: z, or y if gravity is along z.
+inline bool has_layers_along_y(Vec3 gravity) {
+  return std::fabs(gravity.z) > std::fabs(gravity.y);
+}
 
 }  // namespace meniscus::pbd

@@ -4,8 +4,10 @@
 // One world over many ranks: what a solver does differently there. See pbd/rank_exchange.h.
 #pragma once
 
+#include <meniscus/error.h>
+
 #include <algorithm>
-#include <cmath>
+#include <string>
 #include <vector>
 
 #include "pbd/solver.h"
@@ -19,15 +21,28 @@ inline uint32_t room_for_own(uint32_t needed) {
   return std::max(needed + needed / 16, least);
 }
 
+[[noreturn]] inline void refuse_layers(uint32_t layers) {
+  throw Error(ErrorCode::capacity,
+              "the fluid reaches over " + std::to_string(layers) +
+                  " layers of cells along the axis of its slabs, more than its pressure grid has room for; a "
+                  "sink can remove what is far away");
+}
+
 /// Sends particles to the ranks that own their predicted positions, or have them as ghosts. The particles
 /// that this rank then needs count as sorted: its own, and behind them the ghosts.
 template <class D>
 CellOrder Solver<D>::order_among_ranks(const solver_kernels::Prediction& prediction) {
   Particles& p = particles_;
   search_.set_slab(exchange_->layers_along_y(), exchange_->first_layer(), exchange_->end_layer());
-  const Aabb extent{summary().lower, summary().upper};
-  search_.fit_slab(extent, all_particles_, exchange_->layers_within(search_.grid(), extent));
+  const Aabb extent = table_extent();
   uint32_t count = p.sorted();
+  if (needs_own_cells()) {
+    const auto layers = exchange_->find_layers(prediction, search_.grid(), count);
+    search_.fit_slab(extent, all_particles_, layers.own);
+    if (!search_.has_own_layers(layers.all)) refuse_layers(layers.all);
+  } else {
+    search_.fit_slab(extent, all_particles_, exchange_->layers_within(search_.grid(), extent));
+  }
   if (!has_all_particles_) {
     std::vector<WordArray> arrays = p.source_arrays();
     if (prediction.limited.count)
@@ -44,14 +59,32 @@ CellOrder Solver<D>::order_among_ranks(const solver_kernels::Prediction& predict
 }
 
 template <class D>
-void Solver<D>::share(Ranks& ranks, const CutPolicy& policy) {
-  const bool along_y = std::fabs(parameters_.gravity.z) > std::fabs(parameters_.gravity.y);
-  exchange_.emplace(device_, ranks, along_y);
+void Solver<D>::join(Ranks& ranks, const CutPolicy& policy) {
+  exchange_.emplace(device_, ranks, has_layers_along_y(parameters_.gravity));
   exchange_->set_policy(policy);
   exchange_->reserve(particles_.capacity());
-  has_all_particles_ = true;
+  summary_state_ = SummaryState::unknown;  // on some ranks it may be known
+}
+
+template <class D>
+void Solver<D>::share(Ranks& ranks, const CutPolicy& policy) {
+  join(ranks, policy);
   all_particles_ = particles_.sorted();
   exchange_->cut_all(particles_.view(), search_.grid(), {summary().lower, summary().upper});
+  keep_own();
+}
+
+template <class D>
+void Solver<D>::cut(Ranks& ranks, const CutPolicy& policy, std::span<const Vec4> positions) {
+  join(ranks, policy);
+  all_particles_ = static_cast<uint32_t>(positions.size());
+  exchange_->cut_all(positions, search_.grid());
+  search_.set_slab(exchange_->layers_along_y(), exchange_->first_layer(), exchange_->end_layer());
+}
+
+template <class D>
+void Solver<D>::keep_own() {
+  has_all_particles_ = true;
   sort(predict(0, {}));
   reorder(search_.order(), particles_.sorted());
   has_all_particles_ = false;

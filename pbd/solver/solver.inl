@@ -105,14 +105,14 @@ template <class D>
 void Solver<D>::sort(const solver_kernels::Prediction& prediction) {
   Particles& p = particles_;
   CellOrder order{};
+  search_.set_own_cells(needs_own_cells());
   const bool has_seams = ghosts_.any() && p.sorted();
   if (exchange_) {
     order = order_among_ranks(prediction);
   } else if (p.sorted()) {
     using Wrapped = seam_kernels::Wrapped<solver_kernels::Prediction>;
-    search_.set_own_cells(
-        std::any_of(sets_.begin(), sets_.end(), [](const auto* set) { return set->needs_own_cells(); }));
-    search_.fit({summary().lower, summary().upper}, p.sorted());
+    search_.set_layers(has_layers_along_y(parameters_.gravity));
+    search_.fit(table_extent(), p.sorted());
     const View<const uint32_t> number = p.source().number.first(p.sorted());
     order = has_seams ? search_.sort(Wrapped{prediction, ghosts_.axes()}, number)
                       : search_.sort(prediction, number);
@@ -132,6 +132,21 @@ void Solver<D>::sort(const solver_kernels::Prediction& prediction) {
   if (!has_seams) return;
   ghosts_.wrap(p, search_.coarse(), search_.grid());
   ghosts_.make(p, {summary().lower, summary().upper}, {&readout_buffer_.view().data->found.ghosts, 1});
+}
+
+template <class D>
+bool Solver<D>::needs_own_cells() const {
+  return std::any_of(sets_.begin(), sets_.end(), [](const auto* set) { return set->needs_own_cells(); });
+}
+
+/// The extent for which the table of cells is shaped. Where cells must not share entries, it has room for the
+/// motion of a step.
+template <class D>
+Aabb Solver<D>::table_extent() {
+  const Aabb extent{summary().lower, summary().upper};
+  if (!needs_own_cells()) return extent;
+  const float margin = step_motion_ + 0.5f * parameters_.support_radius;
+  return {extent.lower - Vec3{margin, margin, margin}, extent.upper + Vec3{margin, margin, margin}};
 }
 
 /// Contacts are found while neighbours are listed and sets prepare.
@@ -190,6 +205,7 @@ int Solver<D>::choose_substeps(float dt) {
     acceleration += forces->greatest_acceleration(summary().lower, summary().upper);
   step_speed_ = std::sqrt(summary().max_speed2) + dt * acceleration;
   for (ConstraintSet<D>* set : sets_) step_speed_ = std::fmax(step_speed_, set->speed(dt));
+  step_motion_ = step_speed_ * dt;
   if (parameters_.cfl_number <= 0) return parameters_.substeps;
   const float wanted = std::ceil(step_speed_ * dt / (parameters_.cfl_number * parameters_.support_radius));
   return static_cast<int>(std::clamp(wanted, static_cast<float>(parameters_.min_substeps),

@@ -25,7 +25,7 @@ const ParticleSummary& Solver<D>::summary() {
   if (summary_state_ == SummaryState::unknown) summarize();
   if (summary_state_ == SummaryState::on_device) {
     readout_buffer_.read(std::span(&readout_, 1));
-    if (exchange_ && !has_all_particles_) merge_over_ranks();
+    if (exchange_) merge_over_ranks();
   }
   summary_state_ = SummaryState::known;
   return readout_.summary;

@@ -25,6 +25,7 @@ struct OwnParticles {
   std::vector<uint32_t> fluids;
   std::vector<float> density_errors;  ///< C = ρ/ρ₀ − 1
   std::vector<float> pressures;       ///< Pa
+  std::vector<DiffuseParticle> diffuse;
 };
 
 class Engine {
@@ -208,7 +209,14 @@ class Engine {
   virtual Diagnostics measure(Vec3 gravity) = 0;
 
   // A shared world (sdk/world/shared/shared_world.h).
+  /// Keeps the particles of append() on the host until share(), so that the device gets those of its rank
+  /// alone. Nothing but append(), read_positions(), particle_count() and what needs no particles is allowed
+  /// until share() or release(). There must be no particles.
+  virtual void hold_back() = 0;
+  /// Brings them to the device after all.
+  virtual void release() = 0;
   virtual uint32_t own_particles() const = 0;  ///< of this rank
+  /// Also readies visit_state() for a save.
   virtual std::vector<uint32_t> particles_by_rank() = 0;
   /// All ranks call it at the same time, while none follows: the values of its own particles. `slots` says
   /// which they are.

@@ -102,7 +102,10 @@ class DeviceEngine final : public Engine {
   int ordinal() const override { return pbd::DeviceAccess<D>::ordinal(device_); }
   void* stream() override { return pbd::DeviceAccess<D>::stream(device_); }
   std::shared_ptr<void> allocate_lasting(size_t bytes) override;
-  uint32_t particle_count() const override { return ranks_ ? all_particles_ : particles_.sorted(); }
+  uint32_t particle_count() const override {
+    if (held_) return static_cast<uint32_t>(held_->position.size());
+    return ranks_ ? all_particles_ : particles_.sorted();
+  }
 
   void set_solvers(const EngineDef& def) override;
   void set_materials(std::span<const ParticleMaterial> materials) override;
@@ -150,9 +153,7 @@ class DeviceEngine final : public Engine {
   void make_room(uint32_t more) override;
   void find_room(std::span<const Arrival> arrivals, std::vector<uint8_t>& has_room) override;
   void append(const ParticleBatch& batch) override;
-  void set_pistons(std::span<const Piston> pistons, std::span<const PistonParticle> particles) override {
-    pistons_.set(particles_, pistons, particles);
-  }
+  void set_pistons(std::span<const Piston> pistons, std::span<const PistonParticle> particles) override;
   void keep(const std::vector<bool>& keep) override;
   void begin_step(float dt, int iterations) override;
   EngineStep end_step() override;
@@ -163,6 +164,7 @@ class DeviceEngine final : public Engine {
     if (iterations > 0) rods_.stop();
   }
   void relax_from(uint32_t slot, float dt, int iterations) override {
+    release();
     fetch_contacts();
     solver_.relax_from(slot, dt, iterations);
   }
@@ -182,7 +184,7 @@ class DeviceEngine final : public Engine {
   void visit_worlds(pbd::StateVisitor& v) override;
   EngineWorld read_world(uint32_t world) override;
   void write_world(uint32_t world, const EngineWorld& state) override;
-  bool any_crowd() const override { return density_.any_crowd(); }
+  bool any_crowd() const override { return (held_ && held_->may_crowd) || density_.any_crowd(); }
   void write_vectors(Vec3* positions, Vec3* velocities) override;
   void write_vertices(Vec3* positions, Vec3* velocities) override;
 
@@ -192,6 +194,7 @@ class DeviceEngine final : public Engine {
   void push_vertices(std::span<const uint32_t> vertices, std::span<const Vec3> impulses) override;
 
   void read_positions(std::span<Vec3> out) override {
+    if (held_) return copy_held(out);
     together({RankCall::positions}, [&] { read_vector(particles_.position.current.view(), out); });
   }
   void read_velocities(std::span<Vec3> out) override {
@@ -207,9 +210,13 @@ class DeviceEngine final : public Engine {
   SurfaceMesh read_surface(const fluid::SurfaceField& field, std::optional<uint32_t> group) override;
   uint32_t diffuse_count() const override { return diffuse_ ? diffuse_->count() : 0; }
   uint32_t diffuse_refused() const override { return diffuse_ ? diffuse_->refused() : 0; }
-  void read_diffuse(std::span<DiffuseParticle> out) override { diffuse_->read(out); }
+  void read_diffuse(std::span<DiffuseParticle> out) override;
   Diagnostics measure(Vec3 gravity) override;
 
+  void hold_back() override {
+    if (particles_.count() == 0) held_.emplace();
+  }
+  void release() override;
   void share(pbd::Ranks& ranks, const pbd::CutPolicy& policy) override;
   uint32_t own_particles() const override { return particles_.sorted(); }
   std::vector<uint32_t> particles_by_rank() override;
@@ -257,6 +264,12 @@ class DeviceEngine final : public Engine {
   void note_waiting(std::span<const Arrival> arrivals);
   void find_room_among_ranks(std::span<const Arrival> arrivals, std::vector<uint8_t>& has_room);
   void append_among_ranks(const ParticleBatch& batch);
+  void hold(const ParticleBatch& batch);
+  void copy_held(std::span<Vec3> out) const;
+  void share_held(pbd::Ranks& ranks, const pbd::CutPolicy& policy);
+  void keep_among_ranks(const std::vector<bool>& keep);
+  void remove_among_ranks(std::span<const uint32_t> gone, uint32_t kept);
+  std::vector<DiffuseParticle> gather_diffuse();
   std::pair<bool, std::vector<uint64_t>> write_own_items(const std::string& file,
                                                          std::span<const uint64_t> offsets);
   template <class Work>
@@ -310,8 +323,9 @@ class DeviceEngine final : public Engine {
   Pistons<D> pistons_;
   FreeRoom<D> free_room_;
 
-  pbd::Ranks* ranks_ = nullptr;  // of a shared world
-  uint32_t all_particles_ = 0;   // of all ranks, in a shared world
+  pbd::Ranks* ranks_ = nullptr;        // of a shared world
+  uint32_t all_particles_ = 0;         // of all ranks, in a shared world
+  std::optional<ParticleBatch> held_;  // until the world is shared
 
   float last_substep_ = 0;  // s
   float begun_step_ = 0;    // s, of the step that was begun
@@ -353,6 +367,7 @@ class DeviceEngine final : public Engine {
 #include "sdk/engine/engine_access.inl"
 #include "sdk/engine/engine_assembly.inl"
 #include "sdk/engine/engine_cloth.inl"
+#include "sdk/engine/engine_held.inl"
 #include "sdk/engine/engine_particles.inl"
 #include "sdk/engine/engine_rank_flow.inl"
 #include "sdk/engine/engine_ranks.inl"

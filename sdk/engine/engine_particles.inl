@@ -107,6 +107,7 @@ void DeviceEngine<D>::append(const ParticleBatch& batch) {
   const uint32_t first = particles_.sorted();
   const auto added = static_cast<uint32_t>(batch.position.size());
   if (added == 0) return;
+  if (held_) return hold(batch);
   if (ranks_) {
     ParticleBatch all = batch;
     return together({RankCall::append, static_cast<int32_t>(added)}, [&] {
@@ -129,6 +130,7 @@ void DeviceEngine<D>::append(const ParticleBatch& batch) {
 
 template <class D>
 void DeviceEngine<D>::keep(const std::vector<bool>& keep) {
+  if (ranks_) return together({RankCall::keep}, [&] { keep_among_ranks(keep); });
   const std::vector<uint32_t> by_slot(keep.begin(), keep.end());
   removal_.keep_by_slot(particles_, by_slot);
   remove_marked(removal_.count_kept(particles_));
@@ -236,7 +238,7 @@ EngineStep DeviceEngine<D>::end_step() {
   done.rigid_ms = bodies_.step_ms();
   done.any_world_failed = bodies_.worlds().any_failed();
   done.overflows = overflows();
-  done.pistons = pistons_.read();
+  done.pistons = guarded(ranks_, [&] { return pistons_.read(ranks_); });
   done.density_iterations =
       density_.iterations_done(static_cast<uint32_t>(done.result.substeps * begun_iterations_));
   return done;

@@ -56,6 +56,14 @@ std::vector<bool> DeviceEngine<D>::take_sinks_among_ranks(std::span<uint32_t> ta
       takers[t.slot] = t.sink;
     }
   }
+  remove_among_ranks(gone, kept);
+  return removed;
+}
+
+/// The slots that are gone on all ranks, ascending, and how many particles stay on this one, once
+/// removal_.keep() says which.
+template <class D>
+void DeviceEngine<D>::remove_among_ranks(std::span<const uint32_t> gone, uint32_t kept) {
   device_.monitor().commit();
   fetched_contacts_.clear();
   contacts_fetched_ = true;
@@ -65,7 +73,33 @@ std::vector<bool> DeviceEngine<D>::take_sinks_among_ranks(std::span<uint32_t> ta
   all_particles_ -= static_cast<uint32_t>(gone.size());
   solver_.set_all_particles(all_particles_);
   solver_.particles_changed(kept, 0);
-  return removed;
+}
+
+/// Removes the particles that rank 0 names.
+template <class D>
+void DeviceEngine<D>::keep_among_ranks(const std::vector<bool>& keep) {
+  std::vector<uint32_t> gone;
+  for (size_t slot = 0; slot < keep.size(); ++slot) {
+    if (!keep[slot]) gone.push_back(static_cast<uint32_t>(slot));
+  }
+  gone = pbd::list_of_first(*ranks_, gone);
+  const std::vector<uint32_t> slots = particles_.slot.current.read(particles_.sorted());
+  std::vector<uint32_t> stays;
+  for (const uint32_t slot : slots) stays.push_back(!std::binary_search(gone.begin(), gone.end(), slot));
+  removal_.reserve(particles_.capacity());
+  device_.copy_in(removal_.keep().data, stays.data(), stays.size() * sizeof(uint32_t));
+  remove_among_ranks(gone, removal_.count_kept(particles_));
+}
+
+template <class D>
+void DeviceEngine<D>::set_pistons(std::span<const Piston> pistons,
+                                  std::span<const PistonParticle> particles) {
+  if (!ranks_) return pistons_.set(particles_, pistons, particles);
+  together({RankCall::set_pistons}, [&] {
+    const auto all = pbd::list_of_first(*ranks_, std::vector(pistons.begin(), pistons.end()));
+    const auto pushed = pbd::list_of_first(*ranks_, std::vector(particles.begin(), particles.end()));
+    pistons_.set(particles_, all, pushed);
+  });
 }
 
 template <class D>
@@ -76,6 +110,18 @@ void DeviceEngine<D>::find_room_among_ranks(std::span<const Arrival> arrivals,
     ranks_->add_up(counts);
     for (size_t k = 0; k < blocked.size(); ++k) blocked[k] = counts[k] > 0;
   });
+}
+
+/// Rank 0 gets the spray, foam and bubbles of all ranks, in the order of a world alone.
+template <class D>
+std::vector<DiffuseParticle> DeviceEngine<D>::gather_diffuse() {
+  using Own = typename fluid::Diffuse<D>::Own;
+  const std::vector<Own> own = diffuse_->read_own();
+  std::vector<Own> all = pbd::lists_on_first(*ranks_, std::span(own));
+  std::sort(all.begin(), all.end(), [](const Own& a, const Own& b) { return a.key < b.key; });
+  std::vector<DiffuseParticle> particles(all.size());
+  std::transform(all.begin(), all.end(), particles.begin(), [](const Own& of) { return of.particle; });
+  return particles;
 }
 
 /// Each particle belongs to the rank in whose slab it is. All ranks give out the same slots and numbers.

@@ -16,10 +16,11 @@ namespace meniscus {
 template <class D>
 void DeviceEngine<D>::share(pbd::Ranks& ranks, const pbd::CutPolicy& policy) {
   guarded(&ranks, [&] {
-    all_particles_ = particles_.sorted();
+    all_particles_ = particle_count();
     device_.monitor().commit();
     fetch_contacts();
-    solver_.share(ranks, policy);
+    held_ ? share_held(ranks, policy) : solver_.share(ranks, policy);
+    if (diffuse_) diffuse_->share([this](Vec3 p) { return solver_.owns(p); });
     release_readouts();
     removal_.reserve(0);
   });
@@ -65,6 +66,8 @@ void DeviceEngine<D>::follow(const RankCommand& command) {
       return;
     case RankCall::ellipsoids:
       return read_ellipsoids({});
+    case RankCall::diffuse:
+      return read_diffuse({});
     case RankCall::hash:
       hash_particles();
       return;
@@ -97,6 +100,10 @@ void DeviceEngine<D>::follow(const RankCommand& command) {
       batch.phase.resize(count);
       return append(batch);
     }
+    case RankCall::keep:
+      return keep({});
+    case RankCall::set_pistons:
+      return set_pistons({}, {});
     case RankCall::save: {
       std::string file(static_cast<size_t>(command.iterations), '\0');
       std::vector<uint64_t> offsets(particle_items.size());
@@ -121,7 +128,10 @@ void DeviceEngine<D>::announce(const RankCommand& command) {
 
 template <class D>
 std::vector<uint32_t> DeviceEngine<D>::particles_by_rank() {
-  return together({RankCall::counts}, [&] { return pbd::values_of_all(*ranks_, particles_.sorted()); });
+  return together({RankCall::counts}, [&] {
+    if (diffuse_) diffuse_->set_gathered(gather_diffuse());
+    return pbd::values_of_all(*ranks_, particles_.sorted());
+  });
 }
 
 template <class D>

@@ -139,7 +139,18 @@ OwnParticles DeviceEngine<D>::read_own_particles() {
       own.density_errors = scalar_out_.read(count);
     });
     release_readouts();
+    if (!diffuse_) return own;
+    for (const auto& of : diffuse_->read_own()) own.diffuse.push_back(of.particle);
     return own;
+  });
+}
+
+template <class D>
+void DeviceEngine<D>::read_diffuse(std::span<DiffuseParticle> out) {
+  together({RankCall::diffuse}, [&] {
+    if (!ranks_) return diffuse_->read(out);
+    const std::vector<DiffuseParticle> all = gather_diffuse();
+    std::copy(all.begin(), all.end(), out.begin());
   });
 }
 

@@ -136,12 +136,6 @@ struct PistonParticle {
   uint32_t piston;  ///< number
 };
 
-/// The fluid in front of a mouth.
-struct CrowdAhead {
-  double error = 0;  ///< sum of C
-  double count = 0;
-};
-
 /// What a piston met in a step.
 struct PistonReading {
   double impulse = 0;      ///< N·s on it, against its direction

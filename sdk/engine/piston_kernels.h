@@ -6,6 +6,7 @@
 
 #include "collision/contact/shape.h"
 #include "pbd/contacts.h"
+#include "pbd/math/exact_sum.h"
 #include "pbd/particles.h"
 #include "sdk/engine/engine.h"
 
@@ -58,7 +59,7 @@ struct Place {
   View<const uint32_t> slot;
   View<const Vec4> previous;
   View<Vec4> position, accumulated_delta, velocity;
-  View<float> impulse;  ///< N·s, against the motion, by place in the table
+  View<float> impulse;  ///< N·s, of a substep, against the motion, by place in the table
   float dt;             ///< 0 while overlaps are relaxed
   bool starts;          ///< no constraint has acted yet
 
@@ -144,39 +145,90 @@ struct WallLoad {
   }
 };
 
-struct Add {
-  MENISCUS_HD double operator()(double a, double b) const { return a + b; }
-};
-
-/// Adds up the impulses of a step's substeps, N·s.
-struct Accumulate {
-  View<const double> load;
-  View<double> total;
+/// The impulse of particle i on one piston in a substep, N·s: as a part of it, and through walls.
+struct ImpulseOn {
+  Table table;
+  uint32_t piston;
+  WallLoad walls;
+  View<const pbd::Phase> phase;
+  View<const uint32_t> slot;
+  View<const float> impulse;
   float dt;
 
-  MENISCUS_HD void operator()(uint32_t k) const { total[k] += load[k] / double{dt}; }
-};
-
-/// The sum of C over the fluid in front of a mouth, up to h from the foremost layer.
-struct Ahead {
-  Piston piston;
-  View<const Vec4> position;
-  View<const uint32_t> slot;
-  View<const pbd::Phase> phase;
-  View<const float> error;  ///< C, by slot
-  float h;
-
-  MENISCUS_HD CrowdAhead operator()(uint32_t i) const {
-    if (in_piston(phase[i]) || pbd::is_grain(phase[i])) return {};
-    const Vec3 q = to_local(piston.mouth, position[i].xyz());
-    if (q.y < 0 || q.y > piston.front + h || !piston.holds(q)) return {};
-    return {double{error[slot[i]]}, 1};
+  MENISCUS_HD double operator()(uint32_t i) const {
+    if (!in_piston(phase[i])) return walls(i) / double{dt};
+    const uint32_t k = table.find(slot[i]);
+    return k != pbd::no_index && table.particles[k].piston == piston ? double{impulse[k]} : 0;
   }
 };
 
-struct AddAhead {
-  MENISCUS_HD CrowdAhead operator()(const CrowdAhead& a, const CrowdAhead& b) const {
-    return {a.error + b.error, a.count + b.count};
+/// The sums of a piston's step. Exact ones have the same bits on any number of ranks.
+struct PlainSums {
+  double impulse = 0, error = 0;
+  uint64_t ahead = 0;  ///< the particles of which `error` is the sum of C
+
+  MENISCUS_HD PlainSums operator+(const PlainSums& b) const {
+    return {impulse + b.impulse, error + b.error, ahead + b.ahead};
+  }
+};
+struct ExactSums {
+  pbd::ExactSum impulse, error;
+  uint64_t ahead = 0;
+
+  MENISCUS_HD ExactSums operator+(const ExactSums& b) const {
+    return {impulse + b.impulse, error + b.error, ahead + b.ahead};
+  }
+};
+MENISCUS_HD inline void set(double& sum, double value) {
+  sum = value;
+}
+MENISCUS_HD inline void set(pbd::ExactSum& sum, double value) {
+  sum = pbd::ExactSum::of(value);
+}
+
+template <class Sums>
+struct Add {
+  MENISCUS_HD Sums operator()(const Sums& a, const Sums& b) const { return a + b; }
+};
+
+/// Adds what a launch has found to the sums of a step.
+template <class Sums>
+struct Accumulate {
+  View<const Sums> found;
+  View<Sums> total;
+
+  MENISCUS_HD void operator()(uint32_t k) const { total[k] = total[k] + found[k]; }
+};
+
+template <class Sums>
+struct ImpulseSums {
+  ImpulseOn impulse;
+
+  MENISCUS_HD Sums operator()(uint32_t i) const {
+    Sums sums;
+    set(sums.impulse, impulse(i));
+    return sums;
+  }
+};
+
+/// The sum of C over the fluid in front of a mouth, up to h from the foremost layer.
+template <class Sums>
+struct Ahead {
+  Piston piston;
+  View<const Vec4> position;
+  View<const uint32_t> place;
+  View<const pbd::Phase> phase;
+  View<const float> error;  ///< C, by place
+  float h;
+
+  MENISCUS_HD Sums operator()(uint32_t i) const {
+    if (in_piston(phase[i]) || pbd::is_grain(phase[i])) return {};
+    const Vec3 q = to_local(piston.mouth, position[i].xyz());
+    if (q.y < 0 || q.y > piston.front + h || !piston.holds(q)) return {};
+    Sums sums;
+    set(sums.error, double{error[place[i]]});
+    sums.ahead = 1;
+    return sums;
   }
 };
 

@@ -7,10 +7,12 @@
 #pragma once
 
 #include <algorithm>
+#include <numeric>
 #include <vector>
 
 #include "fluid/density/density_set.h"
 #include "pbd/device/buffer.h"
+#include "pbd/ranks/ranks.h"
 #include "pbd/substep.h"
 #include "sdk/engine/piston_kernels.h"
 
@@ -26,9 +28,10 @@ class Pistons final : public pbd::ConstraintSet<D> {
            std::span<const PistonParticle> pushed) {
     if (pistons.empty() && host_pistons_.empty()) return;
     fit(pistons_, pistons.size());
-    fit(ahead_, pistons.size());
-    fit(load_, pistons.size());
-    fit(loads_, pistons.size());
+    fit(plain_.found, pistons.size());
+    fit(plain_.total, pistons.size());
+    fit(exact_.found, pistons.size());
+    fit(exact_.total, pistons.size());
     fit(pushed_, pushed.size());
     fit(impulse_, pushed.size());
     if (!pistons.empty()) reserve_scratch(capacity_);
@@ -54,8 +57,8 @@ class Pistons final : public pbd::ConstraintSet<D> {
     if (error_.size()) reserve_scratch(capacity);
   }
   void start_step() override {
-    impulse_.fill(0);
-    loads_.fill(0);
+    plain_.total.fill(0);
+    exact_.total.fill(0);
   }
   void accelerate(pbd::Substep<D>& s) override {
     moves_ = true;
@@ -65,6 +68,7 @@ class Pistons final : public pbd::ConstraintSet<D> {
     if (!moves_) open_walls(s);
     dt_ = moves_ ? s.dt : 0;
     moves_ = false;
+    impulse_.fill(0);
     place(s, true);
   }
   /// Undoes what the sets did in the iteration before: so the constraints see an infinite mass.
@@ -74,26 +78,16 @@ class Pistons final : public pbd::ConstraintSet<D> {
   }
   void settle(pbd::Substep<D>& s) override {
     place(s, false);
-    if (dt_ > 0) add_loads(s);
-    if (s.is_last) measure_ahead(s);
+    if (host_pistons_.empty()) return;
+    device_.fixes_sums() ? measure(s, exact_) : measure(s, plain_);
   }
   void end(pbd::Substep<D>& s) override { place(s, true); }
 
-  /// Of the last step, by piston. Call it when the device has finished the step.
-  std::vector<PistonReading> read() {
-    std::vector<PistonReading> readings(host_pistons_.size());
-    std::vector<float> impulses(host_pushed_.size());
-    impulse_.read(std::span(impulses));
-    for (size_t k = 0; k < impulses.size(); ++k)
-      readings[host_pushed_[k].piston].impulse += double{impulses[k]};
-    std::vector<CrowdAhead> ahead(host_pistons_.size());
-    std::vector<double> loads(host_pistons_.size());
-    ahead_.read(std::span(ahead));
-    loads_.read(std::span(loads));
-    for (size_t k = 0; k < ahead.size(); ++k) readings[k].impulse += loads[k];
-    for (size_t k = 0; k < ahead.size(); ++k)
-      readings[k].error_ahead = ahead[k].count > 0 ? ahead[k].error / ahead[k].count : 0;
-    return readings;
+  /// Of the last step, by piston. Call it when the device has finished the step; in a shared world, on all
+  /// ranks.
+  std::vector<PistonReading> read(pbd::Ranks* ranks) {
+    if (host_pistons_.empty()) return {};
+    return device_.fixes_sums() ? read_exactly(ranks) : readings_of(plain_.total.read(host_pistons_.size()));
   }
 
  private:
@@ -118,25 +112,82 @@ class Pistons final : public pbd::ConstraintSet<D> {
         piston_kernels::Place{table(), p.phase, p.slot, p.previous, p.position, p.accumulated_delta,
                               p.velocity, impulse_.view(), dt_, starts});
   }
-  void add_loads(pbd::Substep<D>& s) {
-    const auto count = static_cast<uint32_t>(host_pistons_.size());
-    for (uint32_t k = 0; k < count; ++k)
-      device_.reduce("pistons/loads", s.particles.sorted, 0.0,
-                     piston_kernels::WallLoad{host_pistons_[k], s.contacts, density_.kernel().h},
-                     piston_kernels::Add{}, load_.view().from(k));
-    device_.parallel_for("pistons/loads", count,
-                         piston_kernels::Accumulate{load_.view(), loads_.view(), s.dt});
-  }
-  void measure_ahead(pbd::Substep<D>& s) {
-    if (host_pistons_.empty()) return;
+  template <class Sums>
+  struct OfStep {
+    explicit OfStep(D& device) : found(device, "loads on pistons"), total(device, "loads on pistons") {}
+    pbd::Buffer<Sums> found, total;
+  };
+  template <class Sums>
+  void measure(pbd::Substep<D>& s, OfStep<Sums>& sums) {
+    using namespace piston_kernels;
     const pbd::ParticleView& p = s.particles;
-    density_.measure(s, error_.view(), full_.view());
-    for (uint32_t k = 0; k < host_pistons_.size(); ++k) {
-      device_.reduce("pistons/ahead", p.sorted, CrowdAhead{},
-                     piston_kernels::Ahead{host_pistons_[k], p.position, p.slot, p.phase, error_.view(),
-                                           density_.kernel().h},
-                     piston_kernels::AddAhead{}, ahead_.view().from(k));
+    const auto each = [&](const char* name, const auto& map_of) {
+      const auto count = static_cast<uint32_t>(host_pistons_.size());
+      for (uint32_t k = 0; k < count; ++k)
+        device_.reduce(name, p.sorted, Sums{}, map_of(k), Add<Sums>{}, sums.found.view().from(k));
+      device_.parallel_for(name, count, Accumulate<Sums>{sums.found.view(), sums.total.view()});
+    };
+    if (dt_ > 0)
+      each("pistons/loads", [&](uint32_t k) {
+        return ImpulseSums<Sums>{{table(),
+                                  k,
+                                  {host_pistons_[k], s.contacts, density_.kernel().h},
+                                  p.phase,
+                                  p.slot,
+                                  impulse_.view(),
+                                  dt_}};
+      });
+    if (!s.is_last) return;
+    const pbd::View<const uint32_t> places = measure_errors(s);
+    each("pistons/ahead", [&](uint32_t k) {
+      return Ahead<Sums>{host_pistons_[k], p.position, places, p.phase, error_.view(), density_.kernel().h};
+    });
+  }
+  /// By slot, or in a shared world by place. Returns the elements of the particles.
+  pbd::View<const uint32_t> measure_errors(pbd::Substep<D>& s) {
+    pbd::Substep<D> read = s;
+    if (s.ghosts.exchange) {
+      pbd::refresh_ghost_positions(device_, s.ghosts, s.particles.position);
+      if (places_.size() < capacity_) {
+        std::vector<uint32_t> places(capacity_);
+        std::iota(places.begin(), places.end(), 0u);
+        places_.resize_discard(capacity_);
+        places_.write(places);
+      }
+      read.particles.slot = places_.view();
     }
+    density_.measure(read, error_.view(), full_.view());
+    return read.particles.slot;
+  }
+  std::vector<PistonReading> read_exactly(pbd::Ranks* ranks) {
+    std::vector<piston_kernels::ExactSums> exact = exact_.total.read(host_pistons_.size());
+    if (ranks) add_up(*ranks, exact);
+    std::vector<piston_kernels::PlainSums> sums;
+    for (const auto& e : exact) sums.push_back({e.impulse.value(), e.error.value(), e.ahead});
+    return readings_of(sums);
+  }
+  static void add_up(pbd::Ranks& ranks, std::vector<piston_kernels::ExactSums>& sums) {
+    std::vector<uint64_t> parts;
+    for (const auto& s : sums) {
+      for (const pbd::ExactSum& sum : {s.impulse, s.error}) {
+        const auto own = sum.split();
+        parts.insert(parts.end(), own.begin(), own.end());
+      }
+      parts.push_back(s.ahead);
+    }
+    ranks.add_up(parts);
+    const uint64_t* next = parts.data();
+    for (auto& s : sums) {
+      s = {pbd::ExactSum::joined(next), pbd::ExactSum::joined(next + pbd::ExactSum::parts),
+           next[2 * pbd::ExactSum::parts]};
+      next += 2 * pbd::ExactSum::parts + 1;
+    }
+  }
+  static std::vector<PistonReading> readings_of(const std::vector<piston_kernels::PlainSums>& sums) {
+    std::vector<PistonReading> readings;
+    for (const auto& s : sums)
+      readings.push_back({s.impulse, s.ahead > 0 ? s.error / static_cast<double>(s.ahead) : 0});
+    return readings;
   }
 
   D& device_;
@@ -149,9 +200,9 @@ class Pistons final : public pbd::ConstraintSet<D> {
   pbd::Buffer<Piston> pistons_{device_, "pistons"};
   pbd::Buffer<PistonParticle> pushed_{device_, "piston particles"};
   pbd::Buffer<float> impulse_{device_, "piston impulses"};
-  pbd::Buffer<CrowdAhead> ahead_{device_, "fluid ahead of pistons"};
-  pbd::Buffer<double> load_{device_, "loads of a substep beside pistons"};
-  pbd::Buffer<double> loads_{device_, "loads beside pistons"};
+  OfStep<piston_kernels::PlainSums> plain_{device_};
+  OfStep<piston_kernels::ExactSums> exact_{device_};
+  pbd::Buffer<uint32_t> places_{device_, "places"};  // of a shared world: 0, 1, 2, …
   pbd::Buffer<float> error_{device_, "density errors"};
   pbd::Buffer<float> full_{device_, "full support"};
 };

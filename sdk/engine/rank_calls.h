@@ -18,6 +18,7 @@ enum class RankCall : uint32_t {
   pressures,
   density_errors,
   ellipsoids,
+  diffuse,
   hash,
   diagnostics,
   counts,
@@ -26,6 +27,8 @@ enum class RankCall : uint32_t {
   take_sinks,
   find_room,
   append,
+  keep,
+  set_pistons,
   save
 };
 

@@ -120,19 +120,40 @@ void write_vtp(const std::filesystem::path& path, const ParticleFrame& frame) {
   write_polydata(path, frame.time, piece, arrays);
 }
 
+namespace {
+
+/// The arrays that all pieces of a set of points have.
+template <class Frame>
+constexpr const char* point_arrays = "";
+template <>
+constexpr const char* point_arrays<ParticleFrame> =
+    "<PPointData Vectors=\"velocity\">\n"
+    "<PDataArray type=\"Float32\" Name=\"velocity\" NumberOfComponents=\"3\"/>\n"
+    "<PDataArray type=\"UInt32\" Name=\"fluid\"/>\n"
+    "<PDataArray type=\"UInt64\" Name=\"id\"/>\n"
+    "<PDataArray type=\"Float32\" Name=\"density_error\"/>\n"
+    "<PDataArray type=\"Float32\" Name=\"pressure\"/>\n"
+    "</PPointData>\n";
+template <>
+constexpr const char* point_arrays<DiffuseFrame> =
+    "<PPointData Scalars=\"kind\" Vectors=\"velocity\">\n"
+    "<PDataArray type=\"Float32\" Name=\"velocity\" NumberOfComponents=\"3\"/>\n"
+    "<PDataArray type=\"Float32\" Name=\"life\"/>\n"
+    "<PDataArray type=\"UInt32\" Name=\"kind\"/>\n"
+    "</PPointData>\n";
+
+}  // namespace
+
+template <class Frame>
 void write_pvtp(const std::filesystem::path& path, std::span<const std::string> pieces) {
   OutputFile file(path);
   file.write(
       "<?xml version=\"1.0\"?>\n"
       "<VTKFile type=\"PPolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
-      "header_type=\"UInt64\">\n<PPolyData GhostLevel=\"0\">\n"
-      "<PPointData Vectors=\"velocity\">\n"
-      "<PDataArray type=\"Float32\" Name=\"velocity\" NumberOfComponents=\"3\"/>\n"
-      "<PDataArray type=\"UInt32\" Name=\"fluid\"/>\n"
-      "<PDataArray type=\"UInt64\" Name=\"id\"/>\n"
-      "<PDataArray type=\"Float32\" Name=\"density_error\"/>\n"
-      "<PDataArray type=\"Float32\" Name=\"pressure\"/>\n"
-      "</PPointData>\n<PPoints>\n"
+      "header_type=\"UInt64\">\n<PPolyData GhostLevel=\"0\">\n");
+  file.write(point_arrays<Frame>);
+  file.write(
+      "<PPoints>\n"
       "<PDataArray type=\"Float32\" Name=\"Points\" NumberOfComponents=\"3\"/>\n"
       "</PPoints>\n");
   for (const std::string& piece : pieces)
@@ -140,6 +161,10 @@ void write_pvtp(const std::filesystem::path& path, std::span<const std::string> 
   file.write("</PPolyData>\n</VTKFile>\n");
   file.commit();
 }
+template void write_pvtp<ParticleFrame>(const std::filesystem::path& path,
+                                        std::span<const std::string> pieces);
+template void write_pvtp<DiffuseFrame>(const std::filesystem::path& path,
+                                       std::span<const std::string> pieces);
 
 void write_vtp(const std::filesystem::path& path, const DiffuseFrame& frame) {
   const std::size_t count = frame.particles.size();

@@ -19,12 +19,13 @@ namespace meniscus::io {
 /// arrays are velocity, fluid, id, density_error and pressure. Throws Error(io).
 void write_vtp(const std::filesystem::path& path, const ParticleFrame& frame);
 
-/// Lists files of the form above, which together are one set of particles. `pieces`: relative to the folder
-/// of PATH. Throws Error(io).
-void write_pvtp(const std::filesystem::path& path, std::span<const std::string> pieces);
-
 /// Points likewise, with the arrays velocity, life and kind: 0 spray, 1 foam, 2 bubble. Throws Error(io).
 void write_vtp(const std::filesystem::path& path, const DiffuseFrame& frame);
+
+/// Lists files of one of the forms above, which together are one frame: of ParticleFrame or DiffuseFrame.
+/// `pieces`: relative to the folder of PATH. Throws Error(io).
+template <class Frame>
+void write_pvtp(const std::filesystem::path& path, std::span<const std::string> pieces);
 
 /// Triangles in the same format, with the point array velocity. The cell array `body` or `shape` is a
 /// triangle's solid, in the order of the scene. Throws Error(io).

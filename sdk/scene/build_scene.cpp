@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: MIT
 //
 // Builds a World from a Scene.
+#include "sdk/scene/build_scene.h"
+
 #include <algorithm>
+#include <functional>
 
 #include "pbd/host_memory.h"
 #include "sdk/scene/scene_items.h"
+#include "sdk/world/shared/shared_world.h"
 
 namespace meniscus {
 namespace {
@@ -109,9 +113,10 @@ void expect_closed(const SceneCheck& check, const Scene& scene, const BuiltScene
                 "cloth_volume is of closed pieces, and \"" + check.cloth + "\" has a border");
 }
 
-BuiltScene build(const Scene& scene) {
+BuiltScene build(const Scene& scene, const std::function<void(World&)>& prepare) {
   check_scene(scene);
   BuiltScene built{World(scene.world), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
+  prepare(built.world);
   for_each_item("fluids", scene.fluids,
                 [&](const FluidDef& def) { built.fluids.push_back(built.world.create_fluid(def)); });
   for_each_item("granulars", scene.granulars,
@@ -136,7 +141,11 @@ BuiltScene build(const Scene& scene) {
 }  // namespace
 
 BuiltScene build_scene(const Scene& scene) {
-  return pbd::with_host_memory([&] { return build(scene); });
+  return pbd::with_host_memory([&] { return build(scene, [](World&) {}); });
+}
+
+BuiltScene build_scene_to_share(const Scene& scene) {
+  return pbd::with_host_memory([&] { return build(scene, SharedWorld::hold_back); });
 }
 
 }  // namespace meniscus

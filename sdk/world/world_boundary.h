@@ -70,6 +70,10 @@ decltype(auto) World::Impl::run_removal(const Call& call, const char* name) {
     pbd::CallMonitor& monitor;
   } const running(monitor);
   try {
+    if (holds_back && !check::needs_no_particles(name)) {
+      engine->release();
+      holds_back = false;
+    }
     return call(Calls{this});
   } catch (const pbd::StateLost& loss) {
     lost = true;

@@ -256,6 +256,7 @@ struct World::Impl : WorldTables {
   CachedReadout<DiffuseParticle> outward_diffuse;
   std::optional<fluid::SurfaceField> surface;  // created on request
   uint32_t shared_by = 0;                      // ranks, of a shared world
+  bool holds_back = false;                     // particles, until it is shared: see Engine::hold_back
 };
 
 ParticleMaterial material_of(const FluidDef& def);

@@ -4,7 +4,7 @@
 """tests/ranks/check.py MPIRUN PROGRAM CHECK [ARGUMENT...]: checks of processes that share a world.
 
 hashes STEPS RANKS...   rank_program has the same hashes alone and on so many ranks, also where cuts move every step
-contents STEPS RANKS... emitters, sinks, probes and bodies do and say the same, bit for bit
+contents STEPS RANKS... emitters, sinks, probes and bodies do and say the same, bit for bit, with the pressure grid
 gpu_hashes STEPS        the hashes are the same on as many GPUs as there are, one a rank
 faults RANKS            a rank that throws, has no memory or is killed ends all: soon, with a message and exit code
 hang RANKS [LIMIT]      so does a rank that stops, within 30 s, or here soon after a limit in s
@@ -56,7 +56,7 @@ def check_hashes(mpirun, program, steps, *ranks, on=()):
 
 
 def check_contents(mpirun, program, steps, *ranks):
-    words = [program, steps, "--size", "0.15", "1.3", "--flow", "--bodies"]
+    words = [program, steps, "--size", "0.15", "1.3", "--flow", "--bodies", "--grid"]
     alone = output_of(mpirun, 1, words)
     emitted, taken = re.findall(r"emitted (\d+)", alone)[-2:], re.findall(r"taken (\d+)", alone)[-2:]
     assert min(map(int, emitted + taken)) > 0, alone
@@ -159,19 +159,22 @@ def check_scene(mpirun, program, scene, ranks):
         with tempfile.TemporaryDirectory() as folder:
             hashes.append(hash_of_scene(mpirun, program, count, scene, folder, "--export", "vtp"))
             frames = os.path.join(folder, "frames")
-            sets.append(particles_of(frames, "frame_00012.vtp" if count == 1 else "frame_00012.pvtp"))
+            end = "vtp" if count == 1 else "pvtp"
+            foam = particles_of(frames, f"diffuse_00012.{end}", (b"Points", b"velocity", b"life", b"kind"))
+            assert foam, "no spray, foam or bubbles"
+            sets.append([particles_of(frames, f"frame_00012.{end}"), foam])
     assert hashes[0] == hashes[1], hashes
     assert sets[0] == sets[1], "the pieces of the ranks are not the particles of one"
 
 
-def particles_of(folder, file):
-    """The particles of a .vtp file, or of all that a .pvtp file lists: id, position and all other arrays."""
+def particles_of(folder, file, names=(b"id", b"Points", b"velocity", b"fluid", b"density_error", b"pressure")):
+    """The particles of a .vtp file, or of all that a .pvtp file lists: these arrays of each."""
     path = os.path.join(folder, file)
     if file.endswith(".pvtp"):
         with open(path) as stream:
             pieces = re.findall(r'<Piece Source="([^"]+)"/>', stream.read())
         assert len(pieces) > 1, file
-        return sorted(particle for piece in pieces for particle in particles_of(folder, piece))
+        return sorted(particle for piece in pieces for particle in particles_of(folder, piece, names))
     with open(path, "rb") as stream:
         xml, data = stream.read().split(b"<AppendedData encoding=\"raw\">\n_", 1)
     count = int(re.search(rb'NumberOfPoints="(\d+)"', xml)[1])
@@ -180,8 +183,7 @@ def particles_of(folder, file):
         start = int(offset) + 8
         length, = struct.unpack_from("<Q", data, start - 8)
         columns[name] = [data[start + k * length // count:start + (k + 1) * length // count] for k in range(count)]
-    return sorted(zip(*(columns[name] for name in (b"id", b"Points", b"velocity", b"fluid", b"density_error",
-                                                   b"pressure"))))
+    return sorted(zip(*(columns[name] for name in names)))
 
 
 def check_restart(mpirun, program, scene):

@@ -7,6 +7,7 @@
 //   --cuda                 each rank has a GPU
 //   --size WIDTH LENGTH    of the dam, in m
 //   --plain                without surface tension
+//   --grid                 with the pressure grid
 //   --flow                 with emitters, sinks and probes, which it prints too
 //   --bodies               with bodies, of which it prints what they do
 //   --drop                 instead, drops that meet without gravity; prints the relative error of momentum
@@ -42,7 +43,8 @@ constexpr float frame = 0.008f;  // s
 struct Options {
   int steps = 0;
   float width = 0.3f, length = 1.3f;  // m
-  bool pulls = true, flows = false, floats = false, drops = false, prints_memory = false, on_gpus = false;
+  bool pulls = true, gridded = false, flows = false, floats = false, drops = false, prints_memory = false,
+       on_gpus = false;
   pbd::CutPolicy policy;
   std::string file;
   struct {
@@ -54,8 +56,8 @@ struct Options {
 World world_of(const Options& options) {
   const std::optional<int> gpu = options.on_gpus ? std::optional(process_of_host()) : std::nullopt;
   if (options.drops) return free_drops(options.floats);
-  World world =
-      broken_dam(options.width, options.length, options.pulls, gpu, options.flows || options.floats);
+  World world = broken_dam(options.width, options.length, options.pulls, gpu, options.flows || options.floats,
+                           RigidSolver::bullet, options.gridded);
   if (options.flows) add_flow(world, options.width, options.length);
   if (options.floats) add_bodies(world, options.width, options.length);
   return world;
@@ -118,6 +120,7 @@ Options options_of(int argc, char** argv) {
     const auto argument = [&](int n) { return std::string(k + n < argc ? argv[k + n] : ""); };
     if (word == "--cuda") options.on_gpus = true;
     if (word == "--plain") options.pulls = false;
+    if (word == "--grid") options.gridded = true;
     if (word == "--flow") options.flows = true;
     if (word == "--bodies") options.floats = true;
     if (word == "--drop") options.drops = true;

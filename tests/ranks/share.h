@@ -42,6 +42,21 @@ inline std::vector<std::string> share(int count, const pbd::CutPolicy& policy,
   return errors;
 }
 
+/// What a world tells is the same alone, on 1 and 2 ranks, and on 3 whose cuts move every step.
+inline void expect_the_same(const std::function<World()>& make,
+                            const std::function<std::vector<std::string>(World&)>& told) {
+  World alone = make();
+  const std::vector<std::string> expected = told(alone);
+  for (const auto& [ranks, policy] :
+       {std::pair{1, pbd::CutPolicy{}}, std::pair{2, pbd::CutPolicy{}}, std::pair{3, restless_cuts}}) {
+    SCOPED_TRACE(ranks);
+    std::vector<std::string> found;
+    const auto errors = share(ranks, policy, make, [&](World& world) { found = told(world); });
+    for (const std::string& error : errors) EXPECT_EQ(error, "");
+    EXPECT_EQ(found, expected);
+  }
+}
+
 /// Rank 1 of 3 fails at that call of its transport, within so many steps. All ranks end, and all errors name
 /// it or are its own.
 inline void expect_failure_to_end_all(const std::function<World()>& make, int call, int steps) {

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 #include <numbers>
 
 #include "sdk/cli/commands/exit_code.h"
@@ -31,6 +32,7 @@
 #include "sdk/io/vdb.h"
 #include "sdk/ranks/launcher.h"
 #include "sdk/ranks/mpi_ranks.h"
+#include "sdk/scene/build_scene.h"
 #include "sdk/world/shared/shared_world.h"
 
 namespace meniscus::cli {
@@ -76,7 +78,9 @@ Scene with_own_gpu(Scene scene) {
 
 BuiltScene built_of(const RunOptions& options, const Scene& given, bool is_shared) {
   const Scene scene = is_shared ? with_own_gpu(given) : given;
-  BuiltScene built = options.from.empty() ? build_scene(scene) : resume_scene(scene, options.from);
+  BuiltScene built = !options.from.empty() ? resume_scene(scene, options.from)
+                     : is_shared           ? build_scene_to_share(scene)
+                                           : build_scene(scene);
   if (is_shared) SharedWorld::check(built.world);
   if (options.from.empty()) return built;
   const int reached = frame_of(built.world, scene);
@@ -98,6 +102,7 @@ class Run {
         writes_pieces_(ranks && exports(options, "vtp")),
         folder_(folder_of(options, scene_)),
         built_(built_of(options, scene_, ranks != nullptr)),
+        shared_(ranks ? std::make_unique<SharedWorld>(built_.world, *ranks) : nullptr),
         reached_(frame_of(built_.world, scene_)),
         save_every_(options.save_every),
         records_(!options.record.empty()),
@@ -113,7 +118,6 @@ class Run {
 
   /// From here on an error ends the run but not the program: the results so far are still written.
   void step_through(bool quiet) {
-    if (ranks_) shared_.emplace(built_.world, *ranks_);
     const Interrupt interrupt(built_.world);
     Progress progress(scene_.frames, quiet);
     recorder_.start(built_.world.device(), first_, masses());
@@ -261,7 +265,8 @@ class Run {
   bool writes_pieces_;  // whether each rank writes its own particles
   std::filesystem::path folder_;
   BuiltScene built_;
-  int reached_;  // the frame from which it starts; 0 without a snapshot
+  std::unique_ptr<SharedWorld> shared_;  // with ranks, from here on until it has stepped
+  int reached_;                          // the frame from which it starts; 0 without a snapshot
   std::optional<int> save_every_;
   bool records_;  // whether the world is recorded
   double rope_mass_;
@@ -271,7 +276,6 @@ class Run {
   FrameExporter exporter_;  // first removes the files of the run before
   RunRecorder recorder_;
   RunEnd end_;
-  std::optional<SharedWorld> shared_;  // while it steps
 };
 
 /// What a rank does that is not the first.

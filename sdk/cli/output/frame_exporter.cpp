@@ -85,8 +85,9 @@ void FrameExporter::write_all(const io::SceneFrame& frame) {
   if (!shapes_written_) write_shapes();
   shapes_written_ = true;
   if (particles_ && ranks_ == 0) write_files("frame", number, frame.particles(), particle_collection_);
-  if (particles_ && ranks_ > 0) write_parted(frame);
-  if (diffuse_) write_files("diffuse", number, frame.diffuse_frame(), diffuse_collection_);
+  if (particles_ && ranks_ > 0) write_parted("frame", number, frame.particles(), particle_collection_);
+  if (diffuse_ && ranks_ == 0) write_files("diffuse", number, frame.diffuse_frame(), diffuse_collection_);
+  if (diffuse_ && ranks_ > 0) write_parted("diffuse", number, frame.diffuse_frame(), diffuse_collection_);
   if (bodies_) write_files("bodies", number, bodies_->at(frame.time, frame.bodies), body_collection_);
   if (cloth_) write_files("cloth", number, frame.cloth, cloth_collection_);
   if (ropes_) write_files("ropes", number, frame.ropes, rope_collection_);
@@ -98,16 +99,17 @@ void FrameExporter::write_all(const io::SceneFrame& frame) {
                   scene_.world.particle_spacing);
 }
 
-/// Particles of which each rank writes its own to vtp.
-void FrameExporter::write_parted(const io::SceneFrame& frame) {
-  const std::string name = fmt::format("frames/frame_{:05}", frame.number);
-  if (ply_) io::write_ply(folder_ / (name + ".ply"), frame.particles());
-  if (obj_) io::write_obj(folder_ / (name + ".obj"), frame.particles());
+template <class Frame>
+void FrameExporter::write_parted(const char* prefix, int frame, const Frame& contents,
+                                 std::optional<io::PvdFile>& collection) const {
+  const std::string name = fmt::format("frames/{}_{:05}", prefix, frame);
+  if (ply_) io::write_ply(folder_ / (name + ".ply"), contents);
+  if (obj_) io::write_obj(folder_ / (name + ".obj"), contents);
   if (!vtp_) return;
   std::vector<std::string> pieces;
-  for (int r = 0; r < ranks_; ++r) pieces.push_back(piece_name(frame.number, r));
-  io::write_pvtp(folder_ / (name + ".pvtp"), pieces);
-  particle_collection_->add(frame.time, name + ".pvtp");
+  for (int r = 0; r < ranks_; ++r) pieces.push_back(piece_name(prefix, frame, r));
+  io::write_pvtp<Frame>(folder_ / (name + ".pvtp"), pieces);
+  collection->add(contents.time, name + ".pvtp");
 }
 
 void FrameExporter::write_shapes() const {

@@ -52,7 +52,10 @@ class FrameExporter {
 
   void write_all(const io::SceneFrame& frame);
   void write_shapes() const;
-  void write_parted(const io::SceneFrame& frame);
+  /// Points of which each rank writes its own to vtp.
+  template <class Frame>
+  void write_parted(const char* prefix, int frame, const Frame& contents,
+                    std::optional<io::PvdFile>& collection) const;
   void write_usd(const io::SceneFrame& frame);
   void write_abc(const io::SceneFrame& frame);
   io::ExportContents contents() const {

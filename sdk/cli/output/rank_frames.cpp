@@ -39,15 +39,18 @@ bool write_piece(SharedWorld& shared, pbd::Ranks& ranks, const std::filesystem::
                  const Order& order) {
   const ParticlesOfRank own = shared.read_own_particles();
   bool is_written = true;
+  const auto path = [&](const char* kind) {
+    return folder / "frames" / piece_name(kind, order.frame, ranks.rank());
+  };
   try {
-    io::write_vtp(folder / "frames" / piece_name(order.frame, ranks.rank()),
-                  {.time = order.time,
-                   .positions = own.positions,
-                   .velocities = own.velocities,
-                   .ids = own.ids,
-                   .fluids = own.fluids,
-                   .density_errors = own.density_errors,
-                   .pressures = own.pressures});
+    io::write_vtp(path("frame"), {.time = order.time,
+                                  .positions = own.positions,
+                                  .velocities = own.velocities,
+                                  .ids = own.ids,
+                                  .fluids = own.fluids,
+                                  .density_errors = own.density_errors,
+                                  .pressures = own.pressures});
+    if (shared.has_diffuse()) io::write_vtp(path("diffuse"), io::DiffuseFrame{order.time, own.diffuse});
   } catch (const Error&) {
     is_written = false;
   }
@@ -56,8 +59,8 @@ bool write_piece(SharedWorld& shared, pbd::Ranks& ranks, const std::filesystem::
 
 }  // namespace
 
-std::string piece_name(int frame, int rank) {
-  return fmt::format("frame_{:05}_of_rank_{}.vtp", frame, rank);
+std::string piece_name(const char* kind, int frame, int rank) {
+  return fmt::format("{}_{:05}_of_rank_{}.vtp", kind, frame, rank);
 }
 
 void write_pieces(SharedWorld& shared, pbd::Ranks& ranks, const std::filesystem::path& folder, int frame,

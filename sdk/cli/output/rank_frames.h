@@ -11,10 +11,11 @@
 
 namespace meniscus::cli {
 
-/// frame_00001_of_rank_2.vtp, in the folder of the frames.
-std::string piece_name(int frame, int rank);
+/// frame_00001_of_rank_2.vtp, in the folder of the frames. `kind`: "frame" or "diffuse".
+std::string piece_name(const char* kind, int frame, int rank);
 
-/// On rank 0: all ranks write the particles of a frame. FOLDER/frames must be there. Throws Error(io).
+/// On rank 0: all ranks write the particles of a frame, and what it has of spray, foam and bubbles.
+/// FOLDER/frames must be there. Throws Error(io).
 void write_pieces(SharedWorld& shared, pbd::Ranks& ranks, const std::filesystem::path& folder, int frame,
                   double time);
 

@@ -53,6 +53,7 @@ void allowed_when_shared(std::string_view call, uint32_t ranks) {
                                       "contact_events"sv,
                                       "solid_contacts"sv,
                                       "emitter_count"sv,
+                                      "emitter_pressure"sv,
                                       "sink_count"sv,
                                       "probe"sv,
                                       "probe_vector"sv,
@@ -60,11 +61,22 @@ void allowed_when_shared(std::string_view call, uint32_t ranks) {
                                       "flow_events"sv,
                                       "sleep_events"sv,
                                       "mesh_repairs"sv,
+                                      "warnings"sv,
                                       "save"sv};
   if (std::find(allowed.begin(), allowed.end(), call) != allowed.end()) return;
   throw Error(ErrorCode::invalid_argument, std::string(call) + " was called for a world that " +
                                                std::to_string(ranks) +
                                                " ranks share, which allows steps, read-outs and save");
+}
+
+bool needs_no_particles(std::string_view call) {
+  using namespace std::literals;
+  static constexpr std::array calls{
+      "SharedWorld"sv,  "create_fluid"sv, "create_shape"sv, "create_body"sv,    "create_joint"sv,
+      "create_sink"sv,  "create_probe"sv, "add_fluid"sv,    "create_emitter"sv, "particle_count"sv,
+      "ids"sv,          "fluid_ids"sv,    "shape_ids"sv,    "body_ids"sv,       "def"sv,
+      "device_bytes"sv, "device"sv,       "memory_stats"sv};
+  return std::find(calls.begin(), calls.end(), call) != calls.end();
 }
 
 }  // namespace meniscus::check

@@ -24,9 +24,7 @@ namespace {
 
 void check_solver(const WorldDef& def) {
   if (def.periodic.x || def.periodic.y || def.periodic.z) refuse("periodic axes");
-  if (def.diffuse) refuse("diffuse particles");
   if (def.density.tolerance > 0) refuse("DensitySolverDef::tolerance");
-  if (def.density.solver == DensitySolver::grid) refuse("pressure grid");
   if (is_baseline(def.density.solver)) refuse("solvers pcisph, wcsph and dfsph");
 }
 
@@ -37,18 +35,20 @@ void check_contents(const WorldTables& world) {
   });
   if (world.cloths.size()) refuse("cloth");
   if (world.ropes.size()) refuse("ropes");
-  world.emitters.for_each([](uint32_t, const EmitterEntry& e) {
-    if (e.def.mode == EmitterMode::imposed) refuse("emitters with EmitterDef::mode = imposed");
-  });
   if (world.force_fields.size()) refuse("force fields");
 }
 
-void check_bodies(const WorldTables& world, const WorldDef& def) {
-  if (world.bodies.size() == 0) return;
-  if (def.sums != Sums::fixed)
+void check_sums(const WorldTables& world, const WorldDef& def) {
+  if (def.sums == Sums::fixed) return;
+  const auto require = [](const char* what) {
     throw Error(ErrorCode::invalid_argument,
-                "a world that several ranks share needs WorldDef::sums = fixed for its bodies, in scenes "
-                "\"sums\": \"fixed\"");
+                std::string("a world that several ranks share needs WorldDef::sums = fixed for its ") + what +
+                    ", in scenes \"sums\": \"fixed\"");
+  };
+  if (world.bodies.size() > 0) require("bodies");
+  world.emitters.for_each([&](uint32_t, const EmitterEntry& e) {
+    if (e.def.mode == EmitterMode::imposed) require("imposed emitters");
+  });
 }
 
 }  // namespace
@@ -59,12 +59,19 @@ void SharedWorld::check(const World& world) {
     throw Error(ErrorCode::invalid_argument,
                 "GPUs that share a world need WorldDef::sums = fixed, in scenes \"sums\": \"fixed\"");
   check_solver(impl.def);
-  check_bodies(impl, impl.def);
+  check_sums(impl, impl.def);
   check_contents(impl);
   if (!impl.hooks.empty()) refuse("hooks");
   if (impl.recorder) refuse("recording");
   if (impl.engine->any_crowd())
     refuse("particles of add_particles before the first step, since they may be too near to each other");
+}
+
+void SharedWorld::hold_back(World& world) {
+  World::Impl& impl = *world.impl_;
+  if (impl.engine->particle_count() > 0) return;
+  impl.engine->hold_back();
+  impl.holds_back = true;
 }
 
 SharedWorld::SharedWorld(World& world, pbd::Ranks& ranks, const pbd::CutPolicy& policy)
@@ -77,6 +84,7 @@ SharedWorld::SharedWorld(World& world, pbd::Ranks& ranks, const pbd::CutPolicy& 
         own.expects_more |= world_.emitters.size() > 0;
         world_.with_all().share(ranks, own);
         world_.shared_by = static_cast<uint32_t>(ranks.count());
+        world_.holds_back = false;
         if (!leads()) std::vector<ParticleId>().swap(world_.ids);  // rank 0 gives and removes them
         world_.state_changed();
       },
@@ -94,6 +102,10 @@ SharedWorld::~SharedWorld() {
 
 std::size_t SharedWorld::own_particles() const {
   return world_.engine->own_particles();
+}
+
+bool SharedWorld::has_diffuse() const {
+  return world_.def.diffuse.has_value();
 }
 
 void SharedWorld::pause() {
@@ -134,9 +146,11 @@ ParticlesOfRank SharedWorld::read_own_particles() {
                             std::move(own.velocities),
                             std::move(own.fluids),
                             std::move(own.density_errors),
-                            std::move(own.pressures)};
+                            std::move(own.pressures),
+                            std::move(own.diffuse)};
   particles.ids = ids_of(own.slots);
   for (Vec3& p : particles.positions) p += world_.def.origin;
+  for (DiffuseParticle& p : particles.diffuse) p.position += world_.def.origin;
   return particles;
 }
 

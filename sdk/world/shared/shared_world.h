@@ -19,6 +19,7 @@ struct ParticlesOfRank {
   std::vector<Vec3> positions, velocities;
   std::vector<uint32_t> fluids;
   std::vector<float> density_errors, pressures;
+  std::vector<DiffuseParticle> diffuse;
 };
 
 /// Shares a world. All ranks first build the same world by the same calls. Then each makes this object, which
@@ -33,6 +34,10 @@ class SharedWorld {
   /// Throws Error(invalid_argument) and names what the world has and a shared one cannot have.
   static void check(const World& world);
 
+  /// Call it for a new world that will be shared. Its particles stay on the host until then, so that a device
+  /// gets those of its rank alone. A call that needs them earlier brings all of them to the device.
+  static void hold_back(World& world);
+
   /// check() comes first. Throws Error(capacity) if the fluid has fewer than 3 layers of cells a rank, and no
   /// emitter makes more.
   /// `world` may be moved meanwhile. It and `ranks` must outlive this.
@@ -45,6 +50,7 @@ class SharedWorld {
   bool leads() const { return ranks_.rank() == 0; }
   /// The number of particles that this rank has at present.
   std::size_t own_particles() const;
+  bool has_diffuse() const;
   /// On all ranks but 0: does what rank 0 asks for, until it destroys its SharedWorld or pauses. Returns
   /// whether it pauses.
   bool follow();

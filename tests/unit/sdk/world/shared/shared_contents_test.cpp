@@ -57,18 +57,7 @@ std::vector<std::string> told(World& world, int steps) {
 }
 
 void expect_the_same(const std::function<World()>& make, int steps) {
-  World alone = make();
-  const std::vector<std::string> expected = told(alone, steps);
-  const auto expect = [&](int ranks, const pbd::CutPolicy& policy) {
-    SCOPED_TRACE(std::to_string(ranks) + (policy.shift ? " ranks, restless cuts" : " ranks"));
-    std::vector<std::string> found;
-    const auto errors = share(ranks, policy, make, [&](World& world) { found = told(world, steps); });
-    for (const std::string& error : errors) EXPECT_EQ(error, "");
-    EXPECT_EQ(found, expected);
-  };
-  expect(1, {});
-  expect(2, {});
-  expect(3, restless_cuts);
+  tests::expect_the_same(make, [&](World& world) { return told(world, steps); });
 }
 
 TEST(SharedContents, EmittersSinksAndProbesHaveTheSameBits) {

@@ -113,7 +113,7 @@ TEST(SharedWorld, RefusesByNameWhatItCannotHave) {
     body.pose.position = {0.3f, 2, 0.3f};
     world.create_body(body);
   });
-  refuses("no emitters with EmitterDef::mode = imposed", [](World& world) {
+  refuses("needs WorldDef::sums = fixed for its imposed emitters", [](World& world) {
     EmitterDef emitter;
     emitter.fluid = world.fluid_ids()[0];
     emitter.pose.position = {0.3f, 2, 0.3f};
@@ -148,9 +148,7 @@ TEST(SharedWorld, RefusesByNameHowItCannotSolve) {
     expect_error(ErrorCode::invalid_argument, named, [&] { SharedWorld(world, *ranks[0]); });
   };
   refuses("no periodic axes", [](WorldDef& def) { def.periodic.x = PeriodicExtent{0, 2}; });
-  refuses("no diffuse particles", [](WorldDef& def) { def.diffuse.emplace(); });
   refuses("no DensitySolverDef::tolerance", [](WorldDef& def) { def.density.tolerance = 0.01f; });
-  refuses("no pressure grid", [](WorldDef& def) { def.density.solver = DensitySolver::grid; });
 }
 
 TEST(SharedWorld, GoesOnFromAFileAloneAndOnOtherRanks) {
