@@ -6,11 +6,12 @@
 
 #include "tests/cloth_worlds.h"
 #include "tests/coupling/body_worlds.h"
+#include "tests/rigid_solvers.h"
 
 namespace meniscus::tests {
 namespace {
 
-class ClothMomentum : public OnDevice {
+class ClothMomentum : public WithSolver {
  protected:
   World world_{still_def()};
 
@@ -102,7 +103,7 @@ TEST_P(ClothMomentum, ARopeThatABallHitsExchangesItBesideCloth) {
   EXPECT_LT(rope_momentum().linear.y, -0.1) << "they did not meet";
 }
 
-MENISCUS_ON_EACH_DEVICE(ClothMomentum);
+MENISCUS_WITH_EACH_RIGID_SOLVER(ClothMomentum);
 
 }  // namespace
 }  // namespace meniscus::tests

@@ -159,7 +159,8 @@ TEST_P(FloatingBodiesTest, ALightRaftCarriesAHeavyBox) {
 TEST_P(FloatingBodiesTest, APileUnderWaterDoesNotSinkIntoItself) {
   for (bool heavy_first : {true, false}) {
     WorldDef def = world_def(GetParam(), s);
-    def.rigid = {4, 50};  // a step of Bullet is then 1 ms
+    def.rigid.substeps = 4;  // of 1 ms
+    def.rigid.iterations = 50;
     World world(def);
     add_tank(world);
     std::vector<BodyId> pile;

@@ -7,6 +7,7 @@
 #include "tests/cloth_worlds.h"
 #include "tests/coupling/body_worlds.h"
 #include "tests/many_threads.h"
+#include "tests/rigid_solvers.h"
 
 namespace meniscus::tests {
 namespace {
@@ -64,7 +65,7 @@ struct Collision {
   }
 };
 
-class ThreeTogether : public OnDevice {
+class ThreeTogether : public WithSolver {
  protected:
   static WorldDef weightless(float spacing) {
     WorldDef def = world_def(GetParam(), spacing);
@@ -161,7 +162,7 @@ TEST_P(ThreeTogether, AreTheSameEachTime) {
   };
   const uint64_t first = hash(1);
   EXPECT_EQ(hash(1), first);
-  if (GetParam() == pbd::DeviceKind::cpu) {
+  if (GetParam().device == pbd::DeviceKind::cpu) {
     const ManyThreads allowed;
     for (int threads : {2, 3, 8}) EXPECT_EQ(hash(threads), first) << threads << " threads";
   }
@@ -212,7 +213,7 @@ TEST_P(ThreeTogether, HangingAtRestEachBearsItsWeight) {
   EXPECT_NEAR(on_water / water_weight, 1, 0.02);
 }
 
-MENISCUS_ON_EACH_DEVICE(ThreeTogether);
+MENISCUS_WITH_EACH_RIGID_SOLVER(ThreeTogether);
 
 }  // namespace
 }  // namespace meniscus::tests

@@ -99,9 +99,10 @@ class Crossings {
   int count_ = 0;
 };
 
-/// So that each substep can be looked at.
-inline WorldDef one_substep(pbd::DeviceKind device, float spacing) {
-  WorldDef def = world_def(device, spacing);
+/// So that each substep can be looked at. On a device, or a device with a solver.
+template <class Case>
+WorldDef one_substep(const Case& which, float spacing) {
+  WorldDef def = world_def(which, spacing);
   def.substeps = 1;
   return def;
 }
@@ -116,7 +117,8 @@ inline Quat turned(Vec3 unit_axis, double angle) {
 /// outermost point moves by up to 20 particle radii in a substep of 4 ms.
 class ShakenVessel {
  public:
-  explicit ShakenVessel(pbd::DeviceKind device) : world_(one_substep(device, s)) {
+  template <class Case>
+  explicit ShakenVessel(const Case& which) : world_(one_substep(which, s)) {
     body_ = world_.create_body(kinematic(vessel_.geometry(), {0, 0, 0}));
     world_.add_fluid(
         block(world_.create_fluid({}), -1.0f * vessel_.inner, {vessel_.inner.x, 0, vessel_.inner.z}));
@@ -180,7 +182,8 @@ class ShakenVessel {
 /// by 3°. The water's surface leans by less than 10°; it would reach the rim at 45°.
 class CarriedCup {
  public:
-  explicit CarriedCup(pbd::DeviceKind device) : world_(one_substep(device, s)) {
+  template <class Case>
+  explicit CarriedCup(const Case& which) : world_(one_substep(which, s)) {
     body_ = world_.create_body(kinematic(cup_.geometry(), {0, 0, 0}));
     world_.add_fluid(
         block(world_.create_fluid({}), -1.0f * cup_.inner, {cup_.inner.x, cup_.inner.y / 3, cup_.inner.z}));

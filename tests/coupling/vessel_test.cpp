@@ -7,10 +7,12 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/rigid_solvers.h"
+
 namespace meniscus::tests {
 namespace {
 
-class VesselTest : public OnDevice {};
+class VesselTest : public WithSolver {};
 
 TEST_P(VesselTest, AClosedOneIsShakenAndSpunForThreeSeconds) {
   ShakenVessel vessel(GetParam());
@@ -48,7 +50,7 @@ TEST_P(VesselTest, WhatGetsThroughIsCounted) {
   EXPECT_EQ(crossings.lost(), 2);
 }
 
-MENISCUS_ON_EACH_DEVICE(VesselTest);
+MENISCUS_WITH_EACH_RIGID_SOLVER(VesselTest);
 
 }  // namespace
 }  // namespace meniscus::tests
