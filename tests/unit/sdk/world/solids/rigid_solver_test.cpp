@@ -71,6 +71,22 @@ TEST_P(RigidSolverTest, ARestoredWorldContinuesWithTheSameBits) {
   EXPECT_EQ(world.state_hash(), hash);
 }
 
+TEST_P(RigidSolverTest, AfterAFailedStepItContinuesWithTheSameBits) {
+  World world(device_def(GetParam())), twin(device_def(GetParam()));
+  for (World* each : {&world, &twin}) {
+    const std::vector<BodyId> bodies = stack(*each, 4);
+    each->apply_impulse(bodies[3], {2, 0, 0.3f}, {0, 7.5f * half, 0});
+    run(*each, 20, dt);
+  }
+  const std::vector<SolidContact> before = world.solid_contacts();
+  ASSERT_GT(before.size(), 8u);
+  expect_error(ErrorCode::non_finite, "became non-finite", [&] { world.step(1e20f); });
+  EXPECT_EQ(world.solid_contacts().size(), before.size());
+  for (World* each : {&world, &twin}) run(*each, 20, dt);
+  EXPECT_EQ(world.state_hash(), twin.state_hash());
+  EXPECT_EQ(world.contact_events().size(), twin.contact_events().size());
+}
+
 TEST_P(RigidSolverTest, ARestoredWorldHasBodiesThatWereDestroyedSince) {
   World world(device_def(GetParam()));
   const std::vector<BodyId> bodies = stack(world, 4);
