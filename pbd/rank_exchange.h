@@ -24,11 +24,6 @@ struct CutPolicy {
   bool expects_more = false;     ///< particles come: at first there may be fewer layers than the ranks need
 };
 
-/// A particle and what is to be done with it: see RankExchange::select.
-struct Selected {
-  uint32_t index, tag;
-};
-
 /// Thrown on all ranks, if one of them has no room for what the others want to send.
 struct LacksRoom {
   uint32_t needed;  ///< particles on this rank, with its ghosts
@@ -90,9 +85,10 @@ class RankExchange final : public GhostExchange {
     int32_t first;
     std::vector<uint64_t> counts;
   };
-  /// The tags that tags.for_each(i, visit) gives to each i below count, in order.
+  /// Writes to `list` the i below `count` to which tags.for_each(i, visit) gives a tag: by tag, and those of
+  /// a tag in order. Returns how many there are of each of `kinds` tags. The list stays on the device.
   template <class Tags>
-  std::vector<Selected> select(uint32_t count, const Tags& tags);
+  std::vector<uint32_t> select(uint32_t count, const Tags& tags, uint32_t kinds, Buffer<uint32_t>& list);
   size_t least_layers() const { return size_t{Slabs::least_layers} * static_cast<size_t>(ranks_.count()); }
   /// Chooses what leaves: the elements below count, for the ranks that are their tags. Returns how many
   /// arrive.
@@ -114,11 +110,10 @@ class RankExchange final : public GhostExchange {
   int looks_ = 0, steps_ = 0;
   uint32_t capacity_ = 0;
 
-  /// Particles that the rank below and the rank above need, and ghosts that they own.
+  /// Where in lists_ the particles are that the rank below or above needs, and the ghosts that it owns.
   struct Side {
     int rank;
-    std::vector<uint32_t> needed, ghosts;
-    uint32_t first_needed = 0, first_ghost = 0;  // in lists_
+    uint32_t needed = 0, first_needed = 0, ghosts = 0, first_ghost = 0;
   };
   std::vector<Side> sides_;
   /// Elements by rank, of the last message.
@@ -126,7 +121,10 @@ class RankExchange final : public GhostExchange {
 
   Buffer<uint32_t> counts_{device_, "exchange counts"};
   Buffer<uint32_t> start_{device_, "exchange offsets"};
-  Buffer<Selected> selected_{device_, "exchanged particles"};
+  Buffer<uint32_t> tag_{device_, "tags of exchanged particles"};
+  Buffer<uint32_t> sorted_tag_{device_, "tags of exchanged particles"};
+  Buffer<uint32_t> index_{device_, "exchanged particles"};
+  Buffer<uint32_t> ends_{device_, "ends of exchange lists"};
   Buffer<uint32_t> lists_{device_, "exchange lists"};
   Buffer<uint32_t> leaving_{device_, "exchange lists"};
   Buffer<uint32_t> out_{device_, "messages"}, in_{device_, "messages"};

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <numeric>
 
 #include "pbd/device/access.h"
@@ -131,19 +132,28 @@ void RankExchange<D>::balance(const ParticleView& particles, const GridView& gri
 
 template <class D>
 template <class Tags>
-std::vector<Selected> RankExchange<D>::select(uint32_t count, const Tags& tags) {
+std::vector<uint32_t> RankExchange<D>::select(uint32_t count, const Tags& tags, uint32_t kinds,
+                                              Buffer<uint32_t>& list) {
   using namespace rank_kernels;
-  if (count == 0) return {};
+  if (count == 0) return std::vector<uint32_t>(kinds);
   make_room(counts_, count);
   make_room(start_, size_t{count} + 1);
   device_.parallel_for("ranks/count", count, CountTags<Tags>{tags, counts_.view()});
   device_.exclusive_scan("ranks/offsets", View<const uint32_t>{counts_.view().data, count}, start_.view());
   uint32_t total = 0;
   device_.copy_out(&total, start_.view().data + count, sizeof total);
-  if (total == 0) return {};
-  make_room(selected_, total);
-  device_.parallel_for("ranks/select", count, PlaceTags<Tags>{tags, start_.view(), selected_.view()});
-  return selected_.read(total);
+  if (total == 0) return std::vector<uint32_t>(kinds);
+  for (Buffer<uint32_t>* buffer : {&tag_, &sorted_tag_, &index_, &list}) make_room(*buffer, total);
+  make_room(ends_, kinds);
+  const View<uint32_t> tag = tag_.view().first(total), sorted = sorted_tag_.view().first(total),
+                       index = index_.view().first(total);
+  device_.parallel_for("ranks/select", count, PlaceTags<Tags>{tags, start_.view(), tag, index});
+  device_.sort_pairs("ranks/sort", tag, sorted, index, list.view().first(total),
+                     static_cast<uint32_t>(std::bit_width(kinds - 1)));
+  device_.parallel_for("ranks/ends", kinds, EndsOfTags{sorted, ends_.view()});
+  std::vector<uint32_t> numbers = ends_.read(kinds);
+  std::adjacent_difference(numbers.begin(), numbers.end(), numbers.begin());
+  return numbers;
 }
 
 template <class D>
@@ -169,20 +179,9 @@ View<const int32_t> RankExchange<D>::write_cuts() {
 template <class D>
 template <class Tags>
 uint32_t RankExchange<D>::choose_leaving(uint32_t count, const Tags& tags) {
-  std::vector<Selected> leaving = select(count, tags);
-  std::stable_sort(leaving.begin(), leaving.end(),
-                   [](const Selected& a, const Selected& b) { return a.tag < b.tag; });
-  const auto ranks = static_cast<size_t>(ranks_.count());
-  to_.assign(ranks, 0);
-  from_.assign(ranks, 0);
-  std::vector<uint32_t> list;
-  for (const Selected& s : leaving) {
-    list.push_back(s.index);
-    ++to_[s.tag];
-  }
+  to_ = select(count, tags, static_cast<uint32_t>(ranks_.count()), leaving_);
+  from_.assign(to_.size(), 0);
   ranks_.transpose(to_, from_);
-  rank_kernels::make_room(leaving_, list.size());
-  leaving_.write(list);
   return std::accumulate(from_.begin(), from_.end(), 0u);
 }
 
@@ -253,27 +252,18 @@ template <class D>
 void RankExchange<D>::note_sorted(View<const Vec4> position, const GridView& grid, uint32_t owned,
                                   uint32_t ghosts) {
   using namespace rank_kernels;
-  for (Side& side : sides_) {
-    side.needed.clear();
-    side.ghosts.clear();
-  }
   const bool has_below = ranks_.rank() > 0, has_above = ranks_.rank() + 1 < ranks_.count();
-  const std::vector<Selected> all = select(
-      owned + ghosts, Boundaries{position, grid, owned, first_layer(), end_layer(), has_below, has_above});
-  for (const Selected& s : all) {
-    const bool is_above = s.tag == needed_above || s.tag == ghost_above;
-    Side& side = is_above ? sides_.back() : sides_.front();
-    (s.tag == needed_below || s.tag == needed_above ? side.needed : side.ghosts).push_back(s.index);
-  }
-  std::vector<uint32_t> lists;
-  for (Side& side : sides_) {
-    side.first_needed = static_cast<uint32_t>(lists.size());
-    lists.insert(lists.end(), side.needed.begin(), side.needed.end());
-    side.first_ghost = static_cast<uint32_t>(lists.size());
-    lists.insert(lists.end(), side.ghosts.begin(), side.ghosts.end());
-  }
-  make_room(lists_, lists.size());
-  lists_.write(lists);
+  const std::vector<uint32_t> numbers = select(
+      owned + ghosts, Boundaries{position, grid, owned, first_layer(), end_layer(), has_below, has_above},
+      boundary_kinds, lists_);
+  const auto first = [&](Boundary tag) {
+    return std::accumulate(numbers.begin(), numbers.begin() + tag, uint32_t{0});
+  };
+  const auto note = [&](Side& side, Boundary needed, Boundary ghost) {
+    side = {side.rank, numbers[needed], first(needed), numbers[ghost], first(ghost)};
+  };
+  if (has_below) note(sides_.front(), needed_below, ghost_below);
+  if (has_above) note(sides_.back(), needed_above, ghost_above);
 }
 
 template <class D>
@@ -282,8 +272,8 @@ void RankExchange<D>::refresh(void* values, uint32_t words) {
   const WordArray array{static_cast<uint32_t*>(values), words};
   size_t needed = 0, ghosts = 0;
   for (const Side& side : sides_) {
-    needed += side.needed.size();
-    ghosts += side.ghosts.size();
+    needed += side.needed;
+    ghosts += side.ghosts;
   }
   make_room(out_, needed * words);
   make_room(in_, ghosts * words);
@@ -292,8 +282,8 @@ void RankExchange<D>::refresh(void* values, uint32_t words) {
   uint32_t *out = out_.view().data, *in = in_.view().data;
   const uint32_t* const lists = lists_.view().data;
   for (const Side& side : sides_) {
-    const size_t sent_words = side.needed.size() * words, received_words = side.ghosts.size() * words;
-    pack(array, {lists + side.first_needed, static_cast<uint32_t>(side.needed.size())}, out);
+    const size_t sent_words = size_t{side.needed} * words, received_words = size_t{side.ghosts} * words;
+    pack(array, {lists + side.first_needed, side.needed}, out);
     sent.push_back({side.rank, out, sent_words * sizeof(uint32_t)});
     received.push_back({side.rank, in, received_words * sizeof(uint32_t)});
     out += sent_words;
@@ -302,9 +292,9 @@ void RankExchange<D>::refresh(void* values, uint32_t words) {
   exchange(sent, received);
   in = in_.view().data;
   for (const Side& side : sides_) {
-    const View<const uint32_t> list{lists + side.first_ghost, static_cast<uint32_t>(side.ghosts.size())};
+    const View<const uint32_t> list{lists + side.first_ghost, side.ghosts};
     device_.parallel_for("ranks/unpack", list.count, Unpack{in, list, array});
-    in += side.ghosts.size() * words;
+    in += size_t{side.ghosts} * words;
   }
 }
 

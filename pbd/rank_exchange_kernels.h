@@ -80,7 +80,7 @@ struct MergeLayers {
 };
 
 /// What the owner and the ghosts of the layers beside a cut have to do with the rank beyond it.
-enum Boundary : uint32_t { needed_below, needed_above, ghost_below, ghost_above };
+enum Boundary : uint32_t { needed_below, needed_above, ghost_below, ghost_above, boundary_kinds };
 
 struct Boundaries {
   View<const Vec4> position;
@@ -116,11 +116,32 @@ template <class Tags>
 struct PlaceTags {
   Tags tags;
   View<const uint32_t> start;
-  View<Selected> selected;
+  View<uint32_t> tag, index;
 
   MENISCUS_HD void operator()(uint32_t i) const {
     uint32_t place = start[i];
-    tags.for_each(i, [&](uint32_t tag) { selected[place++] = {i, tag}; });
+    tags.for_each(i, [&](uint32_t t) {
+      tag[place] = t;
+      index[place++] = i;
+    });
+  }
+};
+
+/// How many of the sorted tags are at most t.
+struct EndsOfTags {
+  View<const uint32_t> sorted;
+  View<uint32_t> ends;
+
+  MENISCUS_HD void operator()(uint32_t t) const {
+    uint32_t first = 0, last = sorted.count;
+    while (first < last) {
+      const uint32_t middle = first + (last - first) / 2;
+      if (sorted[middle] <= t)
+        first = middle + 1;
+      else
+        last = middle;
+    }
+    ends[t] = first;
   }
 };
 

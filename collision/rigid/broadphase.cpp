@@ -50,8 +50,8 @@ btBroadphaseProxy* RigidBroadphase::createProxy(const btVector3& lower, const bt
   if (m_firstFreeHandle == 0) grow();
   const bool inside = !is_outside(lower, upper);
   const btVector3 corner = all(-reach);
-  btBroadphaseProxy* made = bt32BitAxisSweep3::createProxy(
-      inside ? lower : corner, inside ? upper : corner, shape_type, owner, group, mask, dispatcher);
+  btBroadphaseProxy* made = bt32BitAxisSweep3::createProxy(inside ? lower : corner, inside ? upper : corner,
+                                                           shape_type, owner, group, mask, dispatcher);
   setAabb(made, lower, upper, dispatcher);
   return made;
 }

@@ -13,11 +13,11 @@
 #define MENISCUS_C_API
 #endif
 
-/// C may pass any int as an enum. In C++ the type must allow that.
+/// C may pass any int as an enum. In C++ its type must say so.
 #ifdef __cplusplus
-#define MENISCUS_C_ENUM(name) enum name : int
+#define MENISCUS_ANY_INT : int
 #else
-#define MENISCUS_C_ENUM(name) enum name
+#define MENISCUS_ANY_INT
 #endif
 
 #ifdef __cplusplus
@@ -25,7 +25,7 @@ extern "C" {
 #endif
 
 /// How a call ended. The codes are those of meniscus::ErrorCode.
-typedef MENISCUS_C_ENUM(MeniscusStatus) {
+typedef enum MeniscusStatus MENISCUS_ANY_INT {
   MENISCUS_OK = 0,
   MENISCUS_INVALID_ARGUMENT = 1,  ///< a value that the call does not allow, or a null pointer
   MENISCUS_NOT_FOUND = 2,         ///< an id, a path or a name that does not exist
@@ -64,7 +64,7 @@ typedef struct MeniscusFilter {
 } MeniscusFilter;
 
 /// The kinds of objects that ids name.
-typedef MENISCUS_C_ENUM(MeniscusKind) {
+typedef enum MeniscusKind MENISCUS_ANY_INT {
   MENISCUS_NONE = 0,
   MENISCUS_FLUID = 1,  ///< a fluid or a granular material
   MENISCUS_SHAPE = 2,

@@ -16,7 +16,7 @@ extern "C" {
 #endif
 
 /// The C++ struct of a definition.
-typedef MENISCUS_C_ENUM(MeniscusDefKind) {
+typedef enum MeniscusDefKind MENISCUS_ANY_INT {
   MENISCUS_WORLD_DEF = 0,
   MENISCUS_FLUID_DEF = 1,
   MENISCUS_GRANULAR_DEF = 2,
@@ -105,7 +105,7 @@ MENISCUS_C_API MeniscusStatus meniscus_def_get_indices(const MeniscusDef* def, c
 MENISCUS_C_API MeniscusStatus meniscus_def_get_count(const MeniscusDef* def, const char* path, size_t* count);
 
 /// The type of a member, which names its setter.
-typedef MENISCUS_C_ENUM(MeniscusMemberType) {
+typedef enum MeniscusMemberType MENISCUS_ANY_INT {
   MENISCUS_NUMBER = 0,
   MENISCUS_WHOLE_NUMBER = 1,  ///< set as a number
   MENISCUS_FLAG = 2,

@@ -11,7 +11,7 @@ extern "C" {
 #endif
 
 /// A point of a substep: meniscus::Hook.
-typedef MENISCUS_C_ENUM(MeniscusHook) {
+typedef enum MeniscusHook MENISCUS_ANY_INT {
   MENISCUS_PREDICTED = 0,
   MENISCUS_CONTACTS_FOUND = 1,
   MENISCUS_ITERATED = 2,

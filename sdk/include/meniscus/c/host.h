@@ -25,7 +25,7 @@ MENISCUS_C_API MeniscusStatus meniscus_file_bytes(MeniscusFileBytes* file, const
 MENISCUS_C_API MeniscusStatus meniscus_def_set_read_file(MeniscusDef* def, MeniscusReadFile read, void* user);
 
 /// How much a message matters: meniscus::LogLevel.
-typedef MENISCUS_C_ENUM(MeniscusLogLevel) { MENISCUS_NOTE = 0, MENISCUS_WARNING = 1 } MeniscusLogLevel;
+typedef enum MeniscusLogLevel MENISCUS_ANY_INT { MENISCUS_NOTE = 0, MENISCUS_WARNING = 1 } MeniscusLogLevel;
 
 /// Takes a message, which is valid during the call.
 typedef void (*MeniscusLog)(MeniscusLogLevel level, const char* text, void* user);

@@ -56,7 +56,7 @@ MENISCUS_C_API MeniscusStatus meniscus_write_particles(const MeniscusWorld* worl
                                                        MeniscusEllipsoid* ellipsoids, uint32_t* fluids,
                                                        MeniscusVec3* velocities);
 /// An array of World::device_arrays.
-typedef MENISCUS_C_ENUM(MeniscusDeviceArray) {
+typedef enum MeniscusDeviceArray MENISCUS_ANY_INT {
   MENISCUS_DEVICE_IDS = 0,         ///< uint64
   MENISCUS_DEVICE_POSITIONS = 1,   ///< float32, count × 3, m
   MENISCUS_DEVICE_VELOCITIES = 2,  ///< float32, count × 3, m/s

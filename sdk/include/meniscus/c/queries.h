@@ -80,7 +80,7 @@ typedef struct MeniscusFlowEvent {
 } MeniscusFlowEvent;
 
 /// What a query considers, as a sum.
-typedef MENISCUS_C_ENUM(MeniscusTargets) {
+typedef enum MeniscusTargets MENISCUS_ANY_INT {
   MENISCUS_SOLIDS = 1,
   MENISCUS_PARTICLES = 2,
   MENISCUS_CLOTHS = 4,
