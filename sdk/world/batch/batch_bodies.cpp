@@ -10,7 +10,6 @@
 
 #include "sdk/world/batch/batch_impl.h"
 #include "sdk/world/check/check.h"
-#include "sdk/world/queries/solid_events.h"
 #include "sdk/world/state/hashed_elements.h"
 
 namespace meniscus {
@@ -66,44 +65,6 @@ void WorldBatch::Impl::hash_worlds(std::span<uint64_t> out) const {
   engine().hash_worlds(out);
   for (uint32_t w = 0; w < worlds && bodies_each > 0; ++w)
     out[w] += hash_bodies(host().bodies, engine().rigid_worlds().world(w));
-}
-
-// ---- contacts and events ----
-
-BodyId WorldBatch::Impl::body_id(uint32_t number) const {
-  return *std::ranges::find(ids, number, &BodyId::index);
-}
-
-ShapeId WorldBatch::Impl::shape_id(uint32_t number) const {
-  return *std::ranges::find(shape_ids, number, &ShapeId::index);
-}
-
-std::vector<SolidContact> WorldBatch::solid_contacts(uint32_t world) const {
-  impl_->check_world("solid_contacts", world);
-  if (impl_->bodies_each == 0) return {};
-  return impl_->run(
-      [&] { return named_contacts(impl_->engine().rigid_worlds().world(world).contacts(), *impl_); },
-      "solid_contacts");
-}
-
-std::vector<ContactEvent> WorldBatch::contact_events(uint32_t world) const {
-  impl_->check_world("contact_events", world);
-  if (impl_->bodies_each == 0) return {};
-  const collision::RigidNews& news = impl_->engine().rigid_worlds().news(world);
-  return contact_events_between(news.touches_before, news.touches, *impl_);
-}
-
-std::vector<SleepEvent> WorldBatch::sleep_events(uint32_t world) const {
-  impl_->check_world("sleep_events", world);
-  std::vector<SleepEvent> events;
-  if (impl_->bodies_each == 0) return events;
-  const collision::RigidNews& news = impl_->engine().rigid_worlds().news(world);
-  for (const BodyId id : impl_->ids) {
-    const bool was = id.index >= news.awake_before.size() || news.awake_before[id.index] != 0;
-    const bool is = id.index >= news.awake.size() || news.awake[id.index] != 0;
-    if (was != is) events.push_back({id, is});
-  }
-  return events;
 }
 
 std::size_t WorldBatch::body_count() const {

@@ -44,7 +44,8 @@ struct Scene {
     const auto count = static_cast<uint32_t>(from.size());
     Candidates candidates(device);
     candidates.reserve(count, set().of_world());
-    candidates.find(device, set(), {from.data(), count}, {to.data(), count}, count, reach, {});
+    candidates.find(device, set(), {from.data(), count}, {to.data(), count}, count, reach,
+                    {set().worlds, count / set().worlds});
     std::vector<std::vector<uint32_t>> found(count);
     for (uint32_t i = 0; i < count; ++i)
       candidates.view().for_each(i, [&](uint32_t shape) { found[i].push_back(shape); });

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// Memory that runs out while the worlds of a batch step in turns: all worlds are as before.
+#include <algorithm>
+
+#include "tests/cloth_worlds.h"
+#include "tests/faults/failing_memory.h"
+
+namespace meniscus::tests {
+namespace {
+
+class BatchFaultsTest : public OnDevice {
+ protected:
+  void SetUp() override { forget_stacks(); }
+
+  /// Worlds with a sheet and a ball, of which one ball is fast, so the worlds step in two turns.
+  WorldBatch batch() const {
+    WorldDef def = world_def(GetParam(), 0.05f);
+    def.sums = Sums::fixed;
+    def.substeps = 1;
+    World world(def);
+    world.create_cloth(sheet(0.4f, 0.4f, 4, 4, {0, 0.3f, 0}));
+    const BodyId ball = world.create_body(validation::body(SphereGeometry{0.04f}, {0.01f, 0.4f, 0.02f}, 500));
+    WorldBatch made(world, {2});
+    made.set_body_velocity(1, ball, {0, -20, 0}, {0, 0, 0});
+    return made;
+  }
+  static std::vector<uint64_t> hashes(const WorldBatch& batch) {
+    return {batch.state_hashes().begin(), batch.state_hashes().end()};
+  }
+  static bool is_lost(const WorldBatch& batch) {
+    try {
+      batch.state_hashes();
+    } catch (const Error& error) {
+      EXPECT_EQ(static_cast<int>(error.code()), static_cast<int>(ErrorCode::lost)) << error.what();
+      return true;
+    }
+    return false;
+  }
+};
+
+TEST_P(BatchFaultsTest, ATurnThatFailsTakesBackAll) {
+  constexpr float dt = 0.01f;
+  WorldBatch reference = batch();
+  const std::vector<uint64_t> before = hashes(reference);
+  EXPECT_EQ(reference.step(dt).turns, 2);
+  const std::vector<uint64_t> after = hashes(reference);
+  int failures = 0, losses = 0;
+  for (bool fails = true; fails && !HasFailure();) {
+    WorldBatch made = batch();
+    bool succeeds = true;
+    {
+      const FailingMemory failing({});
+      try {
+        made.step(dt);
+      } catch (const Error&) {
+        succeeds = false;
+      }
+      fails = failing.has_failed();
+    }
+    failures += fails;
+    EXPECT_TRUE(fails || succeeds);
+    if (!succeeds && is_lost(made)) {
+      ++losses;
+      continue;
+    }
+    EXPECT_EQ(hashes(made), succeeds ? after : before);
+    if (HasFailure()) print_last_stack();
+  }
+  std::printf("%d failures, of which %d lost the batch\n", failures, losses);
+  EXPECT_GT(failures, 30);
+  EXPECT_LT(losses, failures / 4);
+}
+
+MENISCUS_ON_EACH_DEVICE(BatchFaultsTest);
+
+}  // namespace
+}  // namespace meniscus::tests
