@@ -85,7 +85,7 @@ class NeighbourSearch {
   /// After a sort of a slab: the numbers of owned particles and of ghosts.
   std::pair<uint32_t, uint32_t> count_slab() const;
 
-  /// From the next fit on, the table grows with the extent, up to 8 times, so that cells which are apart do
+  /// From the next fit on, the table grows with the extent, up to 16 times, so that cells which are apart do
   /// not share entries. Its shape then depends on the extent and the number of particles alone.
   void set_own_cells(bool own) { has_own_cells_ = own; }
 

@@ -293,7 +293,7 @@ std::pair<uint32_t, uint32_t> NeighbourSearch<D>::count_slab() const {
   return {owned, both - owned};
 }
 
-/// To a cell for each place in the extent, but not beyond 8 times what the particles need. If there is not
+/// To a cell for each place in the extent, but not beyond 16 times what the particles need. If there is not
 /// enough memory, the table is as before.
 template <class D>
 void NeighbourSearch<D>::grow_table(const Aabb& extent) {
@@ -316,7 +316,7 @@ void NeighbourSearch<D>::grow_table(const Aabb& extent) {
 template <class D>
 uint32_t NeighbourSearch<D>::most_cells(uint32_t count) const {
   const uint64_t most = 8 * uint64_t{GridView::slices} * (count / worlds_);
-  return static_cast<uint32_t>(std::clamp(std::bit_floor(most), uint64_t{least_cells()}, uint64_t{1} << 31));
+  return static_cast<uint32_t>(std::clamp(std::bit_ceil(most), uint64_t{least_cells()}, uint64_t{1} << 31));
 }
 
 template <class D>

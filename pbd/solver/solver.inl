@@ -139,14 +139,15 @@ bool Solver<D>::needs_own_cells() const {
   return std::any_of(sets_.begin(), sets_.end(), [](const auto* set) { return set->needs_own_cells(); });
 }
 
-/// The extent for which the table of cells is shaped. Where cells must not share entries, it has room for the
-/// motion of a step.
+/// The extent for which the table of cells is shaped. Where cells must not share entries, it has room along
+/// the axis of slabs for the motion of a step: see NeighbourSearch::has_own_layers.
 template <class D>
 Aabb Solver<D>::table_extent() {
   const Aabb extent{summary().lower, summary().upper};
   if (!needs_own_cells()) return extent;
-  const float margin = step_motion_ + 0.5f * parameters_.support_radius;
-  return {extent.lower - Vec3{margin, margin, margin}, extent.upper + Vec3{margin, margin, margin}};
+  const float room = step_motion_ + 0.5f * parameters_.support_radius;
+  const Vec3 margin = has_layers_along_y(parameters_.gravity) ? Vec3{0, room, 0} : Vec3{0, 0, room};
+  return {extent.lower - margin, extent.upper + margin};
 }
 
 /// Contacts are found while neighbours are listed and sets prepare.
