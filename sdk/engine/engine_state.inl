@@ -13,10 +13,11 @@ namespace meniscus {
 template <class D>
 void DeviceEngine<D>::visit_state(pbd::StateVisitor& v) {
   if (!v.restores()) ranks_ ? fetched_contacts_.clear() : static_cast<void>(read_contacts());
-  uint32_t fluid = fluid_capacity_, vertices = vertex_capacity_;
+  // One that loads what ranks have saved needs room for the particles of all.
+  uint32_t fluid = std::max(fluid_capacity_, all_particles_), vertices = vertex_capacity_;
   v.value("fluid_capacity", fluid);
   v.value("vertex_capacity", vertices);
-  if (fluid > fluid_capacity_ || vertices > vertex_capacity_)
+  if (v.restores() && (fluid > fluid_capacity_ || vertices > vertex_capacity_))
     reserve(std::max(fluid, fluid_capacity_), std::max(vertices, vertex_capacity_));
   v.value("last_substep", last_substep_);
   v.value("any_overlapping", any_overlapping_);

@@ -5,11 +5,9 @@
 #include "sdk/scene/build_scene.h"
 
 #include <algorithm>
-#include <functional>
 
 #include "pbd/host_memory.h"
 #include "sdk/scene/scene_items.h"
-#include "sdk/world/shared/shared_world.h"
 
 namespace meniscus {
 namespace {
@@ -144,8 +142,8 @@ BuiltScene build_scene(const Scene& scene) {
   return pbd::with_host_memory([&] { return build(scene, [](World&) {}); });
 }
 
-BuiltScene build_scene_to_share(const Scene& scene) {
-  return pbd::with_host_memory([&] { return build(scene, SharedWorld::hold_back); });
+BuiltScene build_scene(const Scene& scene, const std::function<void(World&)>& prepare) {
+  return pbd::with_host_memory([&] { return build(scene, prepare); });
 }
 
 }  // namespace meniscus

@@ -1,15 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Builds worlds of scenes for ranks that will share them.
+// Builds worlds of scenes that are prepared before anything is in them.
 #pragma once
 
 #include <meniscus/scene.h>
 
+#include <functional>
+
 namespace meniscus {
 
-/// Like build_scene(), but the particles stay on the host until the world is shared: see
-/// SharedWorld::hold_back().
-BuiltScene build_scene_to_share(const Scene& scene);
+/// Like the other build_scene(). Calls prepare(world) first, while the world is empty.
+BuiltScene build_scene(const Scene& scene, const std::function<void(World&)>& prepare);
 
 }  // namespace meniscus

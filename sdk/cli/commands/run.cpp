@@ -79,7 +79,7 @@ Scene with_own_gpu(Scene scene) {
 BuiltScene built_of(const RunOptions& options, const Scene& given, bool is_shared) {
   const Scene scene = is_shared ? with_own_gpu(given) : given;
   BuiltScene built = !options.from.empty() ? resume_scene(scene, options.from)
-                     : is_shared           ? build_scene_to_share(scene)
+                     : is_shared           ? build_scene(scene, SharedWorld::hold_back)
                                            : build_scene(scene);
   if (is_shared) SharedWorld::check(built.world);
   if (options.from.empty()) return built;

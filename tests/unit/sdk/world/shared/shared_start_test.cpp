@@ -55,6 +55,21 @@ TEST_P(SharedStart, HeldBackParticlesHaveTheBitsOfAWorldAlone) {
   }
 }
 
+TEST_P(SharedStart, AFileHasRoomForTheParticlesOfAllRanks) {
+  const std::string file = testing::TempDir() + "/shared_start.menisnap";
+  std::vector<std::string> expected;
+  const auto errors = share(
+      3, {}, [&] { return held_channel(); },
+      [&](World& world) {
+        world.step(frame);
+        world.save(file);
+        expected = told(world);
+      });
+  for (const std::string& error : errors) EXPECT_EQ(error, "");
+  World alone = World::load(file);
+  EXPECT_EQ(told(alone), expected);
+}
+
 TEST_P(SharedStart, ACallThatNeedsThemBringsThemToTheDevice) {
   World held = held_channel(), plain = channel([](World&) {});
   EXPECT_EQ(held.particle_count(), plain.particle_count());
