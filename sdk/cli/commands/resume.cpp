@@ -23,18 +23,8 @@ void expect_count(const char* what, std::size_t found, std::size_t expected, con
 }  // namespace
 
 BuiltScene resume_scene(const Scene& scene, const std::string& file) {
-  BuiltScene built{World::load(file, {scene.world.device, scene.world.threads, scene.world.cuda_device}),
-                   {},
-                   {},
-                   {},
-                   {},
-                   {},
-                   {},
-                   {},
-                   {},
-                   {},
-                   {},
-                   {}};
+  BuiltScene built{.world =
+                       World::load(file, {scene.world.device, scene.world.threads, scene.world.cuda_device})};
   const World& world = built.world;
   built.fluids = world.fluid_ids();
   built.shapes = world.shape_ids();

@@ -214,19 +214,19 @@ void check_scene(const Scene& scene);
 
 /// A world made from a scene. The ids are in the order of the lists of the scene.
 struct BuiltScene {
-  World world;                             ///< with all of the scene in it
-  std::vector<FluidId> fluids;             ///< of the fluids, and then of the granular materials
-  std::vector<ShapeId> shapes;             ///< fixed solids
-  std::vector<BodyId> bodies;              ///< in the order of bodies_of
-  std::vector<JointId> joints;             ///< between bodies
-  std::vector<ClothId> cloths;             ///< pieces of cloth
-  std::vector<RopeId> ropes;               ///< ropes and rods
-  std::vector<AttachmentId> attachments;   ///< of cloth and ropes
-  std::vector<std::size_t> volumes;        ///< number of particles that each made
-  std::vector<EmitterId> emitters;         ///< what makes particles
-  std::vector<SinkId> sinks;               ///< what removes particles
-  std::vector<ProbeId> probes;             ///< measurements
-  std::vector<ForceFieldId> force_fields;  ///< accelerations and forces at places
+  World world;                               ///< with all of the scene in it
+  std::vector<FluidId> fluids{};             ///< of the fluids, and then of the granular materials
+  std::vector<ShapeId> shapes{};             ///< fixed solids
+  std::vector<BodyId> bodies{};              ///< in the order of bodies_of
+  std::vector<JointId> joints{};             ///< between bodies
+  std::vector<ClothId> cloths{};             ///< pieces of cloth
+  std::vector<RopeId> ropes{};               ///< ropes and rods
+  std::vector<AttachmentId> attachments{};   ///< of cloth and ropes
+  std::vector<std::size_t> volumes{};        ///< number of particles that each made
+  std::vector<EmitterId> emitters{};         ///< what makes particles
+  std::vector<SinkId> sinks{};               ///< what removes particles
+  std::vector<ProbeId> probes{};             ///< measurements
+  std::vector<ForceFieldId> force_fields{};  ///< accelerations and forces at places
 };
 
 /// Checks a scene and makes a world of it. Throws what check_scene throws, and what World throws, with the
