@@ -120,7 +120,8 @@ void ClothSet<D>::write_multipliers(View<const uint32_t> chosen, View<const Vec4
       WriteChains{{chosen, chain_edges / worlds_, chain_edges}, chains, chain_multiplier(), kind});
 }
 
-/// Wind, and what bending has resolved, are of all worlds. So is the last substep, for the moment.
+/// Wind, and what bending has resolved, are of all worlds. So is the last substep, until
+/// DeviceEngine::continue_from() overwrites it.
 template <class D>
 void ClothSet<D>::visit_world(pbd::StateVisitor& v, uint32_t world) {
   load_kernels::WorldClock clock{};

@@ -88,6 +88,7 @@ class GrainSet final : public pbd::ConstraintSet<D> {
   void lengthen_rows(uint32_t capacity);
   grain_kernels::GrainState current_state();
   grain_kernels::GrainState kept_state();
+  void pack_world(uint32_t first, uint32_t each, const grain_kernels::GrainState& to);
   GrainRows current_rows();
   GrainRows next_rows();
   uint32_t longest_row() const { return found_.host().empty() ? 0 : found_.host()[0]; }

@@ -189,8 +189,8 @@ void GrainSet<D>::lengthen_rows(uint32_t capacity) {
   take_up();
 }
 
-/// Rows that another kind of device has stored
-/// in another order are not used, and the next solve starts without impulses.
+/// Rows that another kind of device has stored in another order are not used, and the next solve starts
+/// without impulses.
 template <class D>
 void GrainSet<D>::visit_state(pbd::StateVisitor& v) {
   uint32_t rows = any_ ? capacity_ : 0, row_capacity = row_capacity_, in_blocks_of = block;

@@ -41,6 +41,42 @@ struct WriteGrains {
   }
 };
 
+/// Notes by row which grain of a world has it. The world begins with grain `first`.
+struct NotePlaces {
+  View<const uint32_t> origin;
+  View<uint32_t> place;
+  uint32_t first;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    const uint32_t row = origin[first + i];
+    if (row != pbd::no_index) place[row] = i;
+  }
+};
+
+/// Writes the rows of a world in the present order of its grains, with its partners by their present places.
+/// Contacts with grains that are gone are left out.
+struct PackGrains {
+  GrainState from, to;
+  View<const uint32_t> place;  ///< see NotePlaces; no_index: no grain has the row
+  uint32_t first;
+
+  MENISCUS_HD void operator()(uint32_t i) const {
+    const uint32_t row = from.origin[first + i];
+    const uint32_t all = row == pbd::no_index ? 0 : pbd::min(from.rows.count[row], from.rows.capacity);
+    uint32_t count = 0;
+    for (uint32_t k = 0; k < all; ++k) {
+      const size_t there = from.rows.place(row, k);
+      const uint32_t partner = place[from.rows.partner.data[there]];
+      if (partner == pbd::no_index) continue;
+      const size_t at = to.rows.place(i, count++);
+      to.rows.partner.data[at] = partner;
+      to.rows.impulse.data[at] = from.rows.impulse.data[there];
+    }
+    to.rows.count[i] = count;
+    to.origin[i] = i;
+  }
+};
+
 /// Replaces grains from one on by others.
 struct CopyGrains {
   GrainState from, to;
@@ -62,20 +98,29 @@ grain_kernels::GrainState GrainSet<D>::kept_state() {
           kept_origin_.view()};
 }
 
+/// Rows are numbered as in the last substep. Particles may have been added or removed since.
+template <class D>
+void GrainSet<D>::pack_world(uint32_t first, uint32_t each, const grain_kernels::GrainState& to) {
+  pbd::Buffer<uint32_t> place(device_, "grain places");
+  place.resize_discard(capacity_);
+  place.fill(0xff);
+  const grain_kernels::GrainState from = current_state();
+  device_.parallel_for("grains/places", each, grain_kernels::NotePlaces{from.origin, place.view(), first});
+  device_.parallel_for("grains/pack", each, grain_kernels::PackGrains{from, to, place.view(), first});
+  device_.wait();
+}
+
 /// Called while there is one world.
 template <class D>
 void GrainSet<D>::keep_world(uint32_t each) {
   if (!any_) return;
   kept_row_capacity_ = row_capacity_;
-  const auto keep = [&]<class T>(pbd::Buffer<T>& kept, pbd::View<T> from, size_t count) {
-    kept.resize_discard(count);
-    device_.copy(kept.view().data, from.data, count * sizeof(T));
-  };
   const size_t elements = row_elements(each, row_capacity_, block);
-  keep(kept_partner_, partner_.current(), elements);
-  keep(kept_impulse_, impulse_.current(), elements);
-  keep(kept_count_, count_.current(), each);
-  keep(kept_origin_, origin_.current(), each);
+  kept_partner_.resize_discard(elements);
+  kept_impulse_.resize_discard(elements);
+  kept_count_.resize_discard(each);
+  kept_origin_.resize_discard(each);
+  pack_world(0, each, kept_state());
 }
 
 template <class D>
@@ -95,7 +140,7 @@ void GrainSet<D>::undo_worlds(const pbd::ChosenWorlds& worlds) {
                        grain_kernels::WriteGrains{worlds, saved, current_state(), pbd::WorldsFrom::all});
 }
 
-/// The rows are packed, one after the other, as long as they are here.
+/// The rows follow one another in the order of the grains, as long as they are here.
 template <class D>
 void GrainSet<D>::visit_world(pbd::StateVisitor& v, uint32_t world, uint32_t each) {
   uint32_t capacity = any_ ? row_capacity_ : 0;
@@ -114,8 +159,7 @@ void GrainSet<D>::visit_world(pbd::StateVisitor& v, uint32_t world, uint32_t eac
   if (!v.restores()) {
     partner.fill(0);
     impulse.fill(0);
-    device_.parallel_for("grains/take out", each,
-                         grain_kernels::CopyGrains{current_state(), one, world * each, 0});
+    pack_world(world * each, each, one);
   }
   v.array("partner", partner.view(), partner.size());
   v.array("impulse", impulse.view(), impulse.size());

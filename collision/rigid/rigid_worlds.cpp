@@ -12,10 +12,11 @@
 namespace meniscus::collision {
 
 void RigidNews::note(RigidWorld& world) {
-  touches_before.swap(touches);
+  std::vector<RigidTouch> now = world.touches();
+  world.read_awake(awake_before);  // the last that may fail
   awake_before.swap(awake);
-  touches = world.touches();
-  world.read_awake(awake);
+  touches_before.swap(touches);
+  touches.swap(now);
   is_new = true;
 }
 

@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "collision/rigid/rigid_world.h"
@@ -21,6 +22,7 @@ struct RigidNews {
   std::vector<uint8_t> awake, awake_before;  ///< by body
   bool is_new = false;                       ///< noted in the present step
 
+  /// Changes nothing if it fails.
   void note(RigidWorld& world);
   void take_back();
   /// Nothing has changed since.
@@ -51,6 +53,8 @@ class RigidWorlds {
   std::span<const uint8_t> failed() const { return failed_; }
   /// Of a world of a batch.
   const RigidNews& news(uint32_t world) const { return news_[world]; }
+  const std::vector<RigidNews>& all_news() const { return news_; }
+  void set_all_news(std::vector<RigidNews> news) noexcept { news_ = std::move(news); }
   /// The news that make_many() and reset() start with, of a world alone.
   void keep_news(std::span<const RigidTouch> touches, std::span<const uint8_t> awake);
   /// Starts with what a world has now, after its state was replaced.

@@ -24,8 +24,9 @@ namespace meniscus::collision {
 ///
 /// The first three are find(), the others advance(), which may be repeated with other forces.
 ///
-/// What a step starts from stays on the device. The host reads a pair of numbers a contact after a step, and
-/// all the rest only if it is asked for.
+/// What a step starts from stays on the device. The host reads a pair of numbers a contact after a step. It
+/// reads all contacts when bodies fall asleep, and reads and writes them when islands wake. Otherwise it
+/// reads them only if it is asked for them.
 ///
 /// All orders follow from the order of the parts, so results do not depend on the number of threads.
 template <class D>

@@ -80,10 +80,8 @@ void RigidContactSet<D>::find_pairs() {
   pair_starts_.read(std::span(&pair_count_, 1), count);
   make_room(pairs_, pair_count_);
   make_room(found_, pair_count_);
-  if (touches_.size() < pair_count_) {
-    make_room(touches_, pair_count_);
-    place_.resize_discard(touches_.size() + 1);
-  }
+  make_room(touches_, pair_count_);
+  make_room(place_, pair_count_ + 1);
   device_.parallel_for("solids/list pairs", count, ListPairs{search(), pair_starts_.view(), pairs_.view()});
 }
 
@@ -120,10 +118,8 @@ void RigidContactSet<D>::colour() {
   for (auto* buffer : {&colour_, &sorted_colour_, &contact_number_, &order_}) make_room(*buffer, count);
   make_room(two_bodies_, count);
   make_room(contact_bodies_, count);
-  if (used_.size() != bodies_count_) {
-    used_.resize_discard(bodies_count_);
-    claims_.resize_discard(3 * size_t{bodies_count_});
-  }
+  used_.resize_discard(bodies_count_);
+  claims_.resize_discard(3 * size_t{bodies_count_});
   used_.fill(0);
   if (count == 0) return;
   claims_.fill(0xff);
@@ -136,9 +132,9 @@ void RigidContactSet<D>::colour() {
                        StartColouring{contacts_.view(), found_.view(), parts_.view(), placed_.view(),
                                       two_bodies_.view().first(count), contact_bodies_.view().first(count),
                                       round.colour, contact_number_.view().first(count), round.claims});
-  // One block of a GPU goes over few contacts faster than launches begin.
+  // One block of a GPU goes over few contacts and bodies faster than launches begin.
   const uint32_t launched =
-      count > 4 * FinishColouring::group_threads ? rigid_contact_tuning::launched_rounds : 0;
+      round.items() > 4 * FinishColouring::group_threads ? rigid_contact_tuning::launched_rounds : 0;
   for (uint32_t k = 0; k < launched; ++k, round = round.following())
     device_.parallel_for("solids/colour", round.items(), round);
   device_.parallel_for_groups("solids/finish colours", 1,

@@ -95,6 +95,7 @@ template <class D>
 void DeviceEngine<D>::find_substeps(float dt, std::span<int> out) {
   std::ranges::fill(out, def_.solver.substeps);
   if (!body_zones_.may_need_substeps()) return;
+  bodies_.motions_changed();
   bodies_.speed(dt);
   const std::span<const uint32_t> needed = body_zones_.least_substeps_by_world(dt, particles_.source());
   for (size_t w = 0; w < out.size(); ++w) out[w] = body_zones_.in_range(needed[w], out[w]);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Memory that runs out while the worlds of a batch step in turns: all worlds are as before.
+// Memory that runs out while the worlds of a batch step in turns: all worlds and their events are as before.
 #include <algorithm>
 
 #include "tests/cloth_worlds.h"
@@ -10,11 +10,14 @@
 namespace meniscus::tests {
 namespace {
 
+constexpr float dt = 0.01f;
+
 class BatchFaultsTest : public OnDevice {
  protected:
   void SetUp() override { forget_stacks(); }
 
-  /// Worlds with a sheet and a ball, of which one ball is fast, so the worlds step in two turns.
+  /// Worlds with a sheet, a ball, and a box that has begun to touch the floor. One ball is fast, so the
+  /// worlds step in two turns.
   WorldBatch batch() const {
     WorldDef def = world_def(GetParam(), 0.05f);
     def.sums = Sums::fixed;
@@ -22,7 +25,10 @@ class BatchFaultsTest : public OnDevice {
     World world(def);
     world.create_cloth(sheet(0.4f, 0.4f, 4, 4, {0, 0.3f, 0}));
     const BodyId ball = world.create_body(validation::body(SphereGeometry{0.04f}, {0.01f, 0.4f, 0.02f}, 500));
+    world.create_shape(shape(PlaneGeometry{}, {0, 0, 0}));
+    world.create_body(validation::body(BoxGeometry{{0.05f, 0.05f, 0.05f}}, {1, 0.05f, 0}, 500));
     WorldBatch made(world, {2});
+    made.step(dt);
     made.set_body_velocity(1, ball, {0, -20, 0}, {0, 0, 0});
     return made;
   }
@@ -41,10 +47,11 @@ class BatchFaultsTest : public OnDevice {
 };
 
 TEST_P(BatchFaultsTest, ATurnThatFailsTakesBackAll) {
-  constexpr float dt = 0.01f;
   WorldBatch reference = batch();
   const std::vector<uint64_t> before = hashes(reference);
+  EXPECT_EQ(reference.contact_events(0).size(), 1u);
   EXPECT_EQ(reference.step(dt).turns, 2);
+  EXPECT_TRUE(reference.contact_events(0).empty());
   const std::vector<uint64_t> after = hashes(reference);
   int failures = 0, losses = 0;
   for (bool fails = true; fails && !HasFailure();) {
@@ -66,6 +73,7 @@ TEST_P(BatchFaultsTest, ATurnThatFailsTakesBackAll) {
       continue;
     }
     EXPECT_EQ(hashes(made), succeeds ? after : before);
+    EXPECT_EQ(made.contact_events(0).size(), succeeds ? 0u : 1u);
     if (HasFailure()) print_last_stack();
   }
   std::printf("%d failures, of which %d lost the batch\n", failures, losses);

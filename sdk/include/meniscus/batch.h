@@ -89,7 +89,8 @@ class BatchSnapshot {
 /// device's rigid solver, all density solvers but `jacobi` and `chebyshev`, and cloth that tears, absorbs, is
 /// permeable or is driven.
 ///
-/// Only one thread may use a batch at a time. Every call may throw Error and has then changed nothing.
+/// Only one thread may use a batch at a time. Every call may throw Error and has then changed nothing, or the
+/// batch is lost, as a world may be.
 class WorldBatch {
  public:
   /// Copies of the archetype in its present state, on its device. The archetype does not change, and may go.

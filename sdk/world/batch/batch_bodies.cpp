@@ -240,6 +240,7 @@ void WorldBatch::Impl::insert(uint32_t world, const World& state) {
   set_gravities(all);
   run(
       [&] {
+        host().monitor().commit();
         engine().write_world(world, particles);
         if (bodies_each > 0) {
           engine().rigid_worlds().world(world).restore(*rigid);

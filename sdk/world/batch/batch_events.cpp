@@ -21,7 +21,10 @@ std::vector<SolidContact> WorldBatch::solid_contacts(uint32_t world) const {
   impl_->check_world("solid_contacts", world);
   if (impl_->bodies_each == 0) return {};
   return impl_->run(
-      [&] { return named_contacts(impl_->engine().rigid_worlds().world(world).contacts(), *impl_); },
+      [&] {
+        return impl_->host().origin.outward(
+            named_contacts(impl_->engine().rigid_worlds().world(world).contacts(), *impl_));
+      },
       "solid_contacts");
 }
 

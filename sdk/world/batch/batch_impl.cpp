@@ -28,7 +28,7 @@ constexpr size_t most_particles = size_t{1} << 27;
 
 void check_def(const WorldDef& def) {
   if (def.sums != Sums::fixed) refuse("the archetype's WorldDef::sums must be fixed");
-  if (def.cfl_number > 0) refuse("cfl_number must be 0, as all worlds have the same substeps");
+  if (def.cfl_number > 0) refuse("cfl_number must be 0, as it looks at all fluid");
   if (def.step_budget_ms > 0) refuse("step_budget_ms must be 0");
   if (def.density.tolerance > 0) refuse("density.tolerance must be 0");
   if (def.rigid.solver != RigidSolver::bullet) refuse("rigid.solver must be bullet");
@@ -167,8 +167,7 @@ BatchReport WorldBatch::Impl::step(float length) {
   engine().rigid_worlds().set_stepping(waiting);
   engine().find_substeps(length, substeps);
   const bool are_alike = choose_worlds_alike();
-  are_alike ? step_chosen(report) : step_in_turns(report);
-  host().monitor().commit();
+  are_alike ? step_chosen(report, true) : step_in_turns(report);
   report.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   return report;
 }
@@ -195,10 +194,11 @@ bool WorldBatch::Impl::choose_worlds_alike() {
   return are_all;
 }
 
-void WorldBatch::Impl::step_chosen(BatchReport& report) {
+void WorldBatch::Impl::step_chosen(BatchReport& report, bool is_only_turn) {
   place_bodies();
   engine().begin_step(dt, host().def.iterations);
   const EngineStep done = engine().end_step();
+  if (is_only_turn) host().monitor().commit();
   changed();
   report.substeps = std::max(report.substeps, done.result.substeps);
   report.contacts = std::max(report.contacts, done.result.contacts);
@@ -214,22 +214,29 @@ void WorldBatch::Impl::step_chosen(BatchReport& report) {
   note_failures(report);
 }
 
-/// Each turn computes all worlds, and takes back those whose turn it is not. If one fails, all go back.
+/// Each turn computes all worlds, and takes back those whose turn it is not. If one fails, all go back, with
+/// the events of the last step.
 void WorldBatch::Impl::step_in_turns(BatchReport& report) {
   before_turns.start_over();
   pbd::StateSaver saver(engine().device(), before_turns, pbd::SavedTo::device);
   visit_state(saver);
+  std::vector<collision::RigidNews> news = engine().rigid_worlds().all_news();
   try {
     for (bool are_all = false;; are_all = choose_worlds_alike()) {
-      step_chosen(report);
+      step_chosen(report, false);
       if (are_all) return;
     }
   } catch (...) {
     try {
       restore(before_turns);
+    } catch (const pbd::StateLost&) {
+      throw;
     } catch (const Error& error) {
       throw pbd::StateLost(error);
+    } catch (...) {
+      throw pbd::StateLost();
     }
+    engine().rigid_worlds().set_all_news(std::move(news));
     throw;
   }
 }

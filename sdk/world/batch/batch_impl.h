@@ -42,7 +42,7 @@ struct WorldBatch::Impl {
   void check_world(const char* call, uint32_t world) const;
   BatchReport step(float dt);
   bool choose_worlds_alike();
-  void step_chosen(BatchReport& report);
+  void step_chosen(BatchReport& report, bool is_only_turn);
   void step_in_turns(BatchReport& report);
   void place_bodies();
   void note_failures(BatchReport& report);

@@ -181,9 +181,9 @@ TEST_P(BatchKindsTest, AWarmStepAllocatesNothing) {
 
 INSTANTIATE_TEST_SUITE_P(On, BatchKindsTest,
                          testing::Combine(testing::ValuesIn(usable_devices()), testing::ValuesIn(kinds)),
-                         [](const auto& info) {
-                           return testing::PrintToString(std::get<0>(info.param)) + "_" +
-                                  std::get<1>(info.param).name;
+                         [](const auto& made) {
+                           return testing::PrintToString(std::get<0>(made.param)) + "_" +
+                                  std::get<1>(made.param).name;
                          });
 
 }  // namespace
