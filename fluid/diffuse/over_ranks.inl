@@ -89,11 +89,14 @@ void Diffuse<D>::agree_on_births(const pbd::Substep<D>& s) {
 /// Leaves the first births by slot, as many as have room on all ranks together.
 template <class D>
 void Diffuse<D>::limit_births(const pbd::Substep<D>& s, uint64_t room) {
-  std::vector<uint32_t> born = born_.read(s.particles.sorted), slots(born.size());
+  std::vector<uint32_t> born = born_.read(s.particles.sorted), slots(born.size()), parents;
   device_.copy_out(slots.data(), s.particles.slot.data, slots.size() * sizeof(uint32_t));
+  for (uint32_t k = 0; k < born.size(); ++k) {
+    if (born[k] > 0) parents.push_back(k);
+  }
   const auto born_below = [&](uint32_t end) {
     uint64_t count = 0;
-    for (size_t k = 0; k < born.size(); ++k) count += slots[k] < end ? born[k] : 0;
+    for (const uint32_t k : parents) count += slots[k] < end ? born[k] : 0;
     s.ghosts.exchange->add_up({&count, 1});
     return count;
   };
@@ -102,7 +105,7 @@ void Diffuse<D>::limit_births(const pbd::Substep<D>& s, uint64_t room) {
     if (born_below(end + bit) <= room) end += bit;
   }
   const auto left = static_cast<uint32_t>(room - born_below(end));
-  for (size_t k = 0; k < born.size(); ++k) {
+  for (const uint32_t k : parents) {
     if (slots[k] >= end) born[k] = slots[k] == end ? std::min(born[k], left) : 0;
   }
   born_.write(born);

@@ -154,7 +154,9 @@ void SmoothingPass<D>::smooth(pbd::Substep<D>& substep, pbd::Particles& particle
   });
   particles.keep_vertex_velocities();
   particles.velocity.flip();
+  const uint32_t ghosts = p.ghosts;
   substep.particles = particles.view();
+  substep.particles.ghosts = ghosts;
 }
 
 template <class D>

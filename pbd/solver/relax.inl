@@ -98,6 +98,7 @@ bool Solver<D>::read_last_substep(const std::function<void(Substep<D>&)>& read) 
 /// Finds neighbours and contacts at the present positions, with room for all of them.
 template <class D>
 Substep<D> Solver<D>::find_at_rest(float dt) {
+  step_motion_ = 0;
   for (;;) {
     timer_.start_step();
     sort(predict(0, {}));

@@ -139,13 +139,14 @@ bool Solver<D>::needs_own_cells() const {
   return std::any_of(sets_.begin(), sets_.end(), [](const auto* set) { return set->needs_own_cells(); });
 }
 
-/// The extent for which the table of cells is shaped. Where cells must not share entries, it has room along
-/// the axis of slabs for the motion of a step: see NeighbourSearch::has_own_layers.
+/// The extent for which the table of cells is shaped. Where ranks may share a world whose cells must not
+/// share entries, it has room along the axis of slabs for the motion of a step: see
+/// NeighbourSearch::has_own_layers. The world alone has the same table then.
 template <class D>
 Aabb Solver<D>::table_extent() {
   const Aabb extent{summary().lower, summary().upper};
-  if (!needs_own_cells()) return extent;
-  const float room = step_motion_ + 0.5f * parameters_.support_radius;
+  if (!needs_own_cells() || !device_.fixes_sums()) return extent;
+  const float room = step_motion_ + 1.5f * parameters_.support_radius;
   const Vec3 margin = has_layers_along_y(parameters_.gravity) ? Vec3{0, room, 0} : Vec3{0, 0, room};
   return {extent.lower - margin, extent.upper + margin};
 }

@@ -265,6 +265,7 @@ class DeviceEngine final : public Engine {
   void find_room_among_ranks(std::span<const Arrival> arrivals, std::vector<uint8_t>& has_room);
   void append_among_ranks(const ParticleBatch& batch);
   void hold(const ParticleBatch& batch);
+  void keep_held(const std::vector<bool>& keep);
   void copy_held(std::span<Vec3> out) const;
   void share_held(pbd::Ranks& ranks, const pbd::CutPolicy& policy);
   void keep_among_ranks(const std::vector<bool>& keep);

@@ -22,6 +22,20 @@ void DeviceEngine<D>::hold(const ParticleBatch& batch) {
 }
 
 template <class D>
+void DeviceEngine<D>::keep_held(const std::vector<bool>& keep) {
+  const auto filter = [&](auto& values) {
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      if (keep[k]) values[kept++] = values[k];
+    }
+    values.resize(kept);
+  };
+  filter(held_->position);
+  filter(held_->velocity);
+  filter(held_->phase);
+}
+
+template <class D>
 void DeviceEngine<D>::copy_held(std::span<Vec3> out) const {
   std::transform(held_->position.begin(), held_->position.end(), out.begin(),
                  [](const pbd::Vec4& p) { return p.xyz(); });

@@ -130,6 +130,7 @@ void DeviceEngine<D>::append(const ParticleBatch& batch) {
 
 template <class D>
 void DeviceEngine<D>::keep(const std::vector<bool>& keep) {
+  if (held_) return keep_held(keep);
   if (ranks_) return together({RankCall::keep}, [&] { keep_among_ranks(keep); });
   const std::vector<uint32_t> by_slot(keep.begin(), keep.end());
   removal_.keep_by_slot(particles_, by_slot);

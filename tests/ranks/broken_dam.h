@@ -14,12 +14,12 @@ namespace meniscus::tests {
 
 /// A dam of this width and length (m) that breaks along the axis of the slabs, in two fluids, onto a ball and
 /// a box. On one thread, or on a GPU of that ordinal. `pulls`: with surface tension. `fixed`: with fixed
-/// sums, which GPUs need. `gridded`: with the pressure grid.
+/// sums, which GPUs and the pressure grid need. `gridded`: with that grid.
 inline World broken_dam(float width, float length = 1.3f, bool pulls = true, std::optional<int> gpu = {},
                         bool fixed = false, RigidSolver rigid = RigidSolver::bullet, bool gridded = false) {
   WorldDef def = world_def(gpu ? pbd::DeviceKind::cuda : pbd::DeviceKind::cpu, 0.05f);
   def.cuda_device = gpu;
-  if (gpu || fixed) def.sums = Sums::fixed;
+  if (gpu || fixed || gridded) def.sums = Sums::fixed;
   if (!gpu) def.threads = 1;
   def.rigid.solver = rigid;
   if (gridded) def.density.solver = DensitySolver::grid;

@@ -77,6 +77,8 @@ Scene with_own_gpu(Scene scene) {
 }
 
 BuiltScene built_of(const RunOptions& options, const Scene& given, bool is_shared) {
+  if (is_shared && !options.record.empty())
+    throw Error(ErrorCode::invalid_argument, "--record needs a run on one rank");
   const Scene scene = is_shared ? with_own_gpu(given) : given;
   BuiltScene built = !options.from.empty() ? resume_scene(scene, options.from)
                      : is_shared           ? build_scene(scene, SharedWorld::hold_back)

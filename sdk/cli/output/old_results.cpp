@@ -33,7 +33,8 @@ void remove_old_results(const fs::path& folder) {
       "contact_sheet)\\.png|"
       "(particles|diffuse|bodies|cloth|ropes|surface)\\.pvd|scene\\.(usda|abc))(\\.[0-9a-f]{8}\\.part)?");
   static const std::regex frames(
-      "((frame|diffuse|bodies|cloth|ropes|surface)_[0-9]{5,}\\.(ply|vtp|obj)|frame_[0-9]{5,}(\\.p|_of_rank_["
+      "((frame|diffuse|bodies|cloth|ropes|surface)_[0-9]{5,}\\.(ply|vtp|obj)|(frame|diffuse)_[0-9]{5,}(\\.p|_"
+      "of_rank_["
       "0-9]+\\.)vtp|shapes\\.(ply|vtp|obj)|liquid_["
       "0-9]{5,}\\.vdb|"
       "usd(_static|_manifest|\\.[0-9]{5,})\\.usda|render_[0-9]{5,}\\.png)"

@@ -19,7 +19,8 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& what) {
   throw Error(ErrorCode::invalid_argument,
-              "a world that several ranks share has no " + what + "; it has fluids, fixed shapes and bodies");
+              "a world that several ranks share has no " + what +
+                  "; it has fluids, fixed shapes, bodies, emitters, sinks, probes and diffuse particles");
 }
 
 void check_solver(const WorldDef& def) {
@@ -46,6 +47,7 @@ void check_sums(const WorldTables& world, const WorldDef& def) {
                     ", in scenes \"sums\": \"fixed\"");
   };
   if (world.bodies.size() > 0) require("bodies");
+  if (def.density.solver == DensitySolver::grid) require("pressure grid");
   world.emitters.for_each([&](uint32_t, const EmitterEntry& e) {
     if (e.def.mode == EmitterMode::imposed) require("imposed emitters");
   });

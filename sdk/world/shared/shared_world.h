@@ -27,8 +27,9 @@ struct ParticlesOfRank {
 /// which are those of all ranks. The others follow(). Calls that would change the world in another way throw
 /// Error(invalid_argument) and name themselves.
 ///
-/// A shared world has fluids without viscosity, solids, emitters, sinks and probes. It has the same state,
-/// bit for bit, whatever the number of ranks. All ranks have all bodies, and need fixed sums for them.
+/// A shared world has fluids without viscosity, solids, emitters, sinks, probes, diffuse particles and the
+/// pressure grid. It has the same state, bit for bit, whatever the number of ranks. All ranks have all
+/// bodies. Bodies, imposed emitters and the grid need fixed sums.
 class SharedWorld {
  public:
   /// Throws Error(invalid_argument) and names what the world has and a shared one cannot have.

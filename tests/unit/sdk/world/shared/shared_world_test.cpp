@@ -113,6 +113,11 @@ TEST(SharedWorld, RefusesByNameWhatItCannotHave) {
     body.pose.position = {0.3f, 2, 0.3f};
     world.create_body(body);
   });
+  refuses("needs WorldDef::sums = fixed for its pressure grid", [](World& world) {
+    WorldDef def = world.def();
+    def.density.solver = DensitySolver::grid;
+    world.set_def(def);
+  });
   refuses("needs WorldDef::sums = fixed for its imposed emitters", [](World& world) {
     EmitterDef emitter;
     emitter.fluid = world.fluid_ids()[0];
