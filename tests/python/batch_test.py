@@ -88,7 +88,7 @@ class BatchTest(unittest.TestCase):
         batch = meniscus.WorldBatch(world, worlds=2)
         batch.set_body_velocity(1, ball, (0, 1, 0), (0, 0, 0))
         events = []
-        for _ in range(40):
+        for _ in range(120):
             batch.step(DT)
             world.step(DT)
             got = batch.contact_events(0)
