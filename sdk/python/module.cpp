@@ -7,7 +7,7 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
-#include "sdk/python/batch.h"
+#include "sdk/python/batch/batch.h"
 #include "sdk/python/collected.h"
 #include "sdk/python/definitions.h"
 #include "sdk/python/device_arrays.h"

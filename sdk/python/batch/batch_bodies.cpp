@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "sdk/python/py_batch.h"
+#include "sdk/python/batch/py_batch.h"
 #include "sdk/python/results.h"
 #include "sdk/python/values/arrays.h"
 #include "sdk/python/values/from_python.h"
