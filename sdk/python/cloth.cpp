@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 //
 // The classes Cloth, Rope and Attachment.
-#include "sdk/python/results.h"
 #include "sdk/python/thing.h"
 #include "sdk/python/things.h"
 #include "sdk/python/values/arrays.h"
+#include "sdk/python/values/results.h"
 
 namespace meniscus::python {
 

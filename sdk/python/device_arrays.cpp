@@ -10,7 +10,7 @@
 #include <nanobind/stl/tuple.h>
 
 #include "pbd/device/stream_order.h"
-#include "sdk/python/results.h"
+#include "sdk/python/values/results.h"
 #include "sdk/world/host/dlpack.h"
 
 namespace meniscus::python {

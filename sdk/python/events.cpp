@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Contacts and events of the last step.
-#include "sdk/python/results.h"
 #include "sdk/python/values/arrays.h"
+#include "sdk/python/values/results.h"
 #include "sdk/python/values/to_python.h"
 
 namespace meniscus::python {

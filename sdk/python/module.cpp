@@ -7,16 +7,16 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
-#include "sdk/python/batch/batch.h"
+#include "sdk/python/batch.h"
 #include "sdk/python/collected.h"
 #include "sdk/python/definitions.h"
 #include "sdk/python/device_arrays.h"
 #include "sdk/python/errors.h"
 #include "sdk/python/motion.h"
 #include "sdk/python/replay.h"
-#include "sdk/python/results.h"
 #include "sdk/python/snapshots.h"
 #include "sdk/python/things.h"
+#include "sdk/python/values/results.h"
 #include "sdk/python/world.h"
 #include "sdk/python/world_files.h"
 

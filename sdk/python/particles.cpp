@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 //
 // Arrays of particles, and the calls that add, push and remove particles.
-#include "sdk/python/results.h"
 #include "sdk/python/values/arrays.h"
 #include "sdk/python/values/describe.h"
 #include "sdk/python/values/from_python.h"
+#include "sdk/python/values/results.h"
 
 namespace meniscus::python {
 

@@ -4,9 +4,9 @@
 // Rays, overlaps, distances, and the fluid at points.
 #include <nanobind/stl/optional.h>
 
-#include "sdk/python/results.h"
 #include "sdk/python/values/arrays.h"
 #include "sdk/python/values/from_python.h"
+#include "sdk/python/values/results.h"
 #include "sdk/python/values/to_python.h"
 
 namespace meniscus::python {

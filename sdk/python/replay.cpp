@@ -10,9 +10,9 @@
 #include <optional>
 
 #include "sdk/python/lent.h"
-#include "sdk/python/results.h"
 #include "sdk/python/state/known_things.h"
 #include "sdk/python/values/from_python.h"
+#include "sdk/python/values/results.h"
 #include "sdk/world/recording/replayed_calls.h"
 
 namespace meniscus::python {

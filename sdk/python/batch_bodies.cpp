@@ -6,10 +6,10 @@
 
 #include <vector>
 
-#include "sdk/python/batch/py_batch.h"
-#include "sdk/python/results.h"
+#include "sdk/python/py_batch.h"
 #include "sdk/python/values/arrays.h"
 #include "sdk/python/values/from_python.h"
+#include "sdk/python/values/results.h"
 
 namespace meniscus::python {
 

@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: MIT
 //
 // Batches of worlds. Arrays that are read belong to the moment of the call.
-#include "sdk/python/batch/batch.h"
-#include "sdk/python/batch/py_batch.h"
+#include "sdk/python/batch.h"
+#include "sdk/python/py_batch.h"
 
 #include <nanobind/ndarray.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/vector.h>
 
 #include "sdk/python/device_arrays.h"
-#include "sdk/python/results.h"
 #include "sdk/python/values/arrays.h"
+#include "sdk/python/values/results.h"
 
 namespace meniscus::python {
 

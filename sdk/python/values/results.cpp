@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The classes of reports and measurements.
-#include "sdk/python/results.h"
+#include "sdk/python/values/results.h"
 
 #include <meniscus/batch.h>
 #include <nanobind/stl/string.h>

@@ -8,7 +8,7 @@
 #include <mutex>
 #include <utility>
 
-#include "sdk/python/batch/batch.h"
+#include "sdk/python/batch.h"
 #include "sdk/python/state/known_things.h"
 
 namespace meniscus::python {

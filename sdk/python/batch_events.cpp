@@ -4,9 +4,9 @@
 // Contacts and events of the solids of one world of a WorldBatch. They name solids by their places.
 #include <vector>
 
-#include "sdk/python/batch/py_batch.h"
-#include "sdk/python/results.h"
+#include "sdk/python/py_batch.h"
 #include "sdk/python/values/arrays.h"
+#include "sdk/python/values/results.h"
 
 namespace meniscus::python {
 
