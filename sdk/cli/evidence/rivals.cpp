@@ -14,6 +14,7 @@ namespace meniscus::cli {
 namespace {
 
 constexpr int least_iterations = 3;  // PCISPH's
+constexpr int first_allowed_iterations = 8;
 
 /// A run reaches an error if its mean is at most this times what was asked for.
 constexpr double reached = 1.2;
@@ -40,28 +41,43 @@ RunRequest request_of(const Scene& chosen, DensitySolver solver, double seconds,
   return request;
 }
 
-enum class Measures { each_frame, the_last };
-
-RunFigures run_with(Scene chosen, DensitySolver solver, double seconds, double error, int iterations,
-                    Measures measures, RunBudget& budget) {
-  chosen.world.iterations = iterations;
-  RunRequest request = request_of(chosen, solver, seconds, error);
-  request.measured = measures == Measures::each_frame;
-  return run_figures(request, budget);
+/// Ends a run also where it is lost, and then says why. The substeps of a solver that is bound to the speed
+/// of its particles would go on for very long.
+RunFigures run_unless_lost(RunRequest request, RunBudget& budget) {
+  const StableBounds bounds;
+  const auto ends = request.ends;
+  request.ends = [&](const RunFigures& so_far) { return is_lost(so_far, bounds) || (ends && ends(so_far)); };
+  RunFigures run = run_figures(request, budget);
+  if (is_lost(run, bounds)) run.failure = broken_by(run, bounds);
+  return run;
 }
 
-/// Contacts are solved in as many iterations as are allowed. So a first run finds how many the solver needs,
-/// and a second one is timed.
-RunFigures timed_run(const Scene& chosen, DensitySolver solver, double seconds, double error,
-                     RunBudget& budget) {
-  const auto run = [&](int iterations, Measures measures) {
-    return run_with(chosen, solver, seconds, error, iterations, measures, budget);
-  };
-  if (solver == DensitySolver::wcsph) return run(chosen.world.iterations, Measures::each_frame);
-  const RunFigures trial = run(most_rival_iterations, Measures::the_last);
-  if (!trial.failure.empty()) return trial;
-  const int needed = static_cast<int>(std::ceil(largest_of(trial.iterations))) + 1;
-  return run(std::clamp(needed, least_iterations, most_rival_iterations), Measures::each_frame);
+int needed_iterations(const RunFigures& run) {
+  return static_cast<int>(std::ceil(largest_of(run.iterations))) + 1;
+}
+
+/// A run that shows how many iterations the solver needs. Contacts are solved in as many as are allowed,
+/// which takes time. So few are allowed first, and twice as many after each run in which they were too few.
+RunFigures trial_run(Scene chosen, DensitySolver solver, double seconds, double error, RunBudget& budget) {
+  for (int allowed = first_allowed_iterations;; allowed = std::min(2 * allowed, most_rival_iterations)) {
+    chosen.world.iterations = allowed;
+    RunRequest request = request_of(chosen, solver, seconds, error);
+    request.ends = [&](const RunFigures& so_far) { return needed_iterations(so_far) > allowed; };
+    const bool is_last = allowed == most_rival_iterations;
+    if (is_last) request.ends = {};
+    const RunFigures run = run_unless_lost(request, budget);
+    if (is_last || (run.failure.empty() && needed_iterations(run) <= allowed)) return run;
+  }
+}
+
+/// A first run finds how many iterations the solver needs, and a second one is timed.
+RunFigures timed_run(Scene chosen, DensitySolver solver, double seconds, double error, RunBudget& budget) {
+  if (solver != DensitySolver::wcsph) {
+    const RunFigures trial = trial_run(chosen, solver, seconds, error, budget);
+    if (!trial.failure.empty()) return trial;
+    chosen.world.iterations = std::clamp(needed_iterations(trial), least_iterations, most_rival_iterations);
+  }
+  return run_unless_lost(request_of(chosen, solver, seconds, error), budget);
 }
 
 Rival rival_of(const RunFigures& run, const Scene& scene, const char* solver, double target) {
