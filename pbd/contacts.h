@@ -69,11 +69,11 @@ struct TouchingView {
   View<uint32_t> counts;  ///< of particles with one, and with several
 
   /// Beyond the list's capacity nothing is stored. More contacts than the capacity exist then, and the step
-  /// is repeated.
+  /// is repeated. Until then both ends may meet, so entries are stored atomically.
   MENISCUS_HD void add(uint32_t i, bool has_several) const {
     // Each branch has its own atomic operation, so that the compiler aggregates those of a warp.
     const uint32_t n = has_several ? atomic_add(counts[1], 1) : atomic_add(counts[0], 1);
-    if (n < list.count) list[has_several ? list.count - 1 - n : n] = i;
+    if (n < list.count) atomic_store(list[has_several ? list.count - 1 - n : n], i);
   }
   /// The k-th entry, or no_index. For kernels with a thread an entry, which run over the capacity.
   MENISCUS_HD uint32_t at(uint32_t k, View<const uint32_t> start) const {
