@@ -39,12 +39,17 @@ need_writable() {
   fi
 }
 
-# configure PRESET FOLDER OPTION...: configures a build folder.
+# Build folders side by side share the objects in the compiler's cache.
+export CCACHE_BASEDIR="$root"
+
+# configure PRESET FOLDER OPTION...: configures a build folder. Small sources are merged, as most of their time goes into the
+# headers that they share.
 configure() {
   local preset=$1 folder=$2
   shift 2
   need_writable "$folder"
-  quietly "configuring $folder/" cmake -S "$root" -B "$root/$folder" --preset "$preset" "$@"
+  quietly "configuring $folder/" cmake -S "$root" -B "$root/$folder" --preset "$preset" \
+    -DMENISCUS_MERGE_SOURCES=ON "$@"
 }
 
 # build FOLDER [TARGET]: builds. On a terminal ninja shows its progress in one line.

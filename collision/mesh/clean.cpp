@@ -18,14 +18,14 @@ using Corners = std::array<uint32_t, 3>;
 
 constexpr uint32_t none = 0xffffffff;
 
-struct Double3 {
+struct DoubleVec {
   double x, y, z;
 };
 
-Double3 difference(Vec3 a, Vec3 b) {
+DoubleVec difference(Vec3 a, Vec3 b) {
   return {double{a.x} - b.x, double{a.y} - b.y, double{a.z} - b.z};
 }
-double squared(const Double3& a) {
+double squared(const DoubleVec& a) {
   return a.x * a.x + a.y * a.y + a.z * a.z;
 }
 
@@ -96,8 +96,8 @@ std::vector<uint32_t> weld_all(const TriangleMesh& mesh) {
 }
 
 bool is_flat(Vec3 a, Vec3 b, Vec3 c) {
-  const Double3 ab = difference(b, a), ac = difference(c, a), bc = difference(c, b);
-  const Double3 n{ab.y * ac.z - ab.z * ac.y, ab.z * ac.x - ab.x * ac.z, ab.x * ac.y - ab.y * ac.x};
+  const DoubleVec ab = difference(b, a), ac = difference(c, a), bc = difference(c, b);
+  const DoubleVec n{ab.y * ac.z - ab.z * ac.y, ab.z * ac.x - ab.x * ac.z, ab.x * ac.y - ab.y * ac.x};
   const double longest = std::max({squared(ab), squared(ac), squared(bc)});
   return squared(n) <= mesh_tuning::flat_height * mesh_tuning::flat_height * longest * longest;
 }

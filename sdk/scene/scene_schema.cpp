@@ -15,24 +15,24 @@
 namespace meniscus {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 template <class T>
-Json schema_of(T& value, const FieldRule& rule);
+OrderedJson schema_of(T& value, const FieldRule& rule);
 
 /// A number as a person would write it: 4 for 4.0, and 0.05 for the float nearest to it.
-Json plain_number(double x) {
+OrderedJson plain_number(double x) {
   if (x == std::floor(x) && std::fabs(x) < 1e15) return int64_t(x);
   return x;
 }
-Json plain_number(float x) {
+OrderedJson plain_number(float x) {
   char text[32];
   const auto end = std::to_chars(text, text + sizeof text, x).ptr;
   return plain_number(std::strtod(std::string(text, end).c_str(), nullptr));
 }
 
-Json number_schema(const char* type, const FieldRule& rule) {
-  Json schema{{"type", type}};
+OrderedJson number_schema(const char* type, const FieldRule& rule) {
+  OrderedJson schema{{"type", type}};
   if (std::isfinite(rule.low))
     schema[rule.above_low ? "exclusiveMinimum" : "minimum"] = plain_number(rule.low);
   if (std::isfinite(rule.high))
@@ -40,71 +40,71 @@ Json number_schema(const char* type, const FieldRule& rule) {
   return schema;
 }
 
-Json array_schema(const FieldRule& rule, int count) {
+OrderedJson array_schema(const FieldRule& rule, int count) {
   return {
       {"type", "array"}, {"items", number_schema("number", rule)}, {"minItems", count}, {"maxItems", count}};
 }
 
 /// Whole numbers have bounds where the rule has none: those of their type.
 template <class T>
-Json whole_schema(FieldRule rule) {
+OrderedJson whole_schema(FieldRule rule) {
   rule.low = std::max<double>(rule.low, std::numeric_limits<T>::min());
   rule.high = std::min<double>(rule.high, std::numeric_limits<T>::max());
   return number_schema("integer", rule);
 }
 
-Json plain_schema(float, const FieldRule& rule) {
+OrderedJson plain_schema(float, const FieldRule& rule) {
   return number_schema("number", rule);
 }
-Json plain_schema(int, const FieldRule& rule) {
+OrderedJson plain_schema(int, const FieldRule& rule) {
   return whole_schema<int>(rule);
 }
-Json plain_schema(uint32_t, const FieldRule& rule) {
+OrderedJson plain_schema(uint32_t, const FieldRule& rule) {
   return whole_schema<uint32_t>(rule);
 }
-Json plain_schema(bool, const FieldRule&) {
+OrderedJson plain_schema(bool, const FieldRule&) {
   return {{"type", "boolean"}};
 }
-Json plain_schema(Vec3, const FieldRule& rule) {
+OrderedJson plain_schema(Vec3, const FieldRule& rule) {
   return array_schema(rule, 3);
 }
-Json plain_schema(const std::string&, const FieldRule& rule) {
-  Json schema{{"type", "string"}};
+OrderedJson plain_schema(const std::string&, const FieldRule& rule) {
+  OrderedJson schema{{"type", "string"}};
   if (rule.min_items > 0) schema["minLength"] = rule.min_items;
   return schema;
 }
-Json plain_schema(Quat, const FieldRule& rule) {
+OrderedJson plain_schema(Quat, const FieldRule& rule) {
   AxisAngle turn;
-  Json ways = Json::array();
+  OrderedJson ways = OrderedJson::array();
   ways.push_back(schema_of(turn, any_value));
   ways.push_back(array_schema(rule, 4));
   return {{"oneOf", ways}};
 }
 
 /// JSON has no infinity, and null says that there is no default.
-Json default_of(float x) {
-  return std::isfinite(x) ? plain_number(x) : Json(nullptr);
+OrderedJson default_of(float x) {
+  return std::isfinite(x) ? plain_number(x) : OrderedJson(nullptr);
 }
-Json default_of(int x) {
+OrderedJson default_of(int x) {
   return x;
 }
-Json default_of(uint32_t x) {
+OrderedJson default_of(uint32_t x) {
   return x;
 }
-Json default_of(bool x) {
+OrderedJson default_of(bool x) {
   return x;
 }
-Json default_of(const std::string& x) {
+OrderedJson default_of(const std::string& x) {
   return x;
 }
-Json default_of(Vec3 x) {
-  return Json::array({plain_number(x.x), plain_number(x.y), plain_number(x.z)});
+OrderedJson default_of(Vec3 x) {
+  return OrderedJson::array({plain_number(x.x), plain_number(x.y), plain_number(x.z)});
 }
-Json default_of(Quat x) {
-  return Json::array({plain_number(x.x), plain_number(x.y), plain_number(x.z), plain_number(x.w)});
+OrderedJson default_of(Quat x) {
+  return OrderedJson::array({plain_number(x.x), plain_number(x.y), plain_number(x.z), plain_number(x.w)});
 }
 template <HasNames E>
-Json default_of(E x) {
+OrderedJson default_of(E x) {
   for (const Named<E>& named : names_of(x)) {
     if (named.value == x) return named.name;
   }
@@ -115,11 +115,12 @@ class SchemaWriter {
  public:
   template <class T>
   void operator()(const char* key, T& value, const FieldRule& rule, const char* unit, const char* text) {
-    Json schema{{"description", *unit ? std::string(text) + " (" + unit + ")" : text}};
+    OrderedJson schema{{"description", *unit ? std::string(text) + " (" + unit + ")" : text}};
     if (*unit) schema["unit"] = unit;
     schema.update(schema_of(value, rule));
     if constexpr (requires { default_of(value); }) {
-      if (const Json usual = default_of(value); !rule.needed && !usual.is_null()) schema["default"] = usual;
+      if (const OrderedJson usual = default_of(value); !rule.needed && !usual.is_null())
+        schema["default"] = usual;
     }
     if (rule.needed) required_.push_back(key);
     properties_[key] = std::move(schema);
@@ -133,42 +134,42 @@ class SchemaWriter {
     required_.push_back("type");
   }
 
-  Json result() const {
-    Json schema{{"type", "object"}, {"properties", properties_}};
+  OrderedJson result() const {
+    OrderedJson schema{{"type", "object"}, {"properties", properties_}};
     if (!required_.empty()) schema["required"] = required_;
     schema["additionalProperties"] = false;
     return schema;
   }
 
  private:
-  Json properties_ = Json::object();
-  Json required_ = Json::array();
+  OrderedJson properties_ = OrderedJson::object();
+  OrderedJson required_ = OrderedJson::array();
 };
 
 struct ChoiceSchemaWriter {
-  Json alternatives = Json::array();
+  OrderedJson alternatives = OrderedJson::array();
 
   template <class T, class Whole>
   void choice(const char* name, T value, Whole&, const char* text) {
     SchemaWriter writer;
     writer.add_type(name);
     fields(writer, value);
-    Json schema{{"description", text}};
+    OrderedJson schema{{"description", text}};
     schema.update(writer.result());
     alternatives.push_back(std::move(schema));
   }
 };
 
 template <class E>
-Json names_schema(E value) {
-  Json names = Json::array();
+OrderedJson names_schema(E value) {
+  OrderedJson names = OrderedJson::array();
   for (const Named<E>& named : names_of(value)) names.push_back(named.name);
   return {{"enum", names}};
 }
 
 template <class T>
-Json list_schema(const std::vector<T>&, const FieldRule& rule) {
-  Json schema{{"type", "array"}};
+OrderedJson list_schema(const std::vector<T>&, const FieldRule& rule) {
+  OrderedJson schema{{"type", "array"}};
   if (rule.min_items > 0) schema["minItems"] = rule.min_items;
   if (rule.max_items < any_value.max_items) schema["maxItems"] = rule.max_items;
   T item{};
@@ -177,13 +178,13 @@ Json list_schema(const std::vector<T>&, const FieldRule& rule) {
 }
 
 template <class T>
-Json optional_schema(const std::optional<T>&, const FieldRule& rule) {
+OrderedJson optional_schema(const std::optional<T>&, const FieldRule& rule) {
   T inner{};
   return schema_of(inner, rule);
 }
 
 template <class T>
-Json schema_of(T& value, const FieldRule& rule) {
+OrderedJson schema_of(T& value, const FieldRule& rule) {
   if constexpr (IsOptional<T>::value) {
     return optional_schema(value, rule);
   } else if constexpr (IsList<T>::value) {
@@ -207,10 +208,11 @@ Json schema_of(T& value, const FieldRule& rule) {
 
 std::string scene_schema() {
   Scene scene;
-  Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
-              {"title", "Meniscus scene"},
-              {"description",
-               "A scene file of Meniscus; quantities are in SI units. `meniscus schema` writes this."}};
+  OrderedJson schema{
+      {"$schema", "https://json-schema.org/draft/2020-12/schema"},
+      {"title", "Meniscus scene"},
+      {"description",
+       "A scene file of Meniscus; quantities are in SI units. `meniscus schema` writes this."}};
   schema.update(schema_of(scene, any_value));
   return schema.dump(2) + "\n";
 }

@@ -79,14 +79,15 @@ std::vector<uint64_t> digests_of(const WorldTables& tables, const collision::Rig
   return digests;
 }
 
-[[noreturn]] void refuse(const std::string& why) {
+[[noreturn]] void refuse_file(const std::string& why) {
   throw Error(ErrorCode::io, "the snapshot is not usable: " + why);
 }
 
 /// Puts an entry that `make` makes from each definition into its place.
 template <class Table, class Def, class Make>
 void fill(Table& table, const char* what, const std::vector<std::optional<Def>>& defs, const Make& make) {
-  if (table.generations().size() < defs.size()) refuse(std::string("it lacks places of the kind ") + what);
+  if (table.generations().size() < defs.size())
+    refuse_file(std::string("it lacks places of the kind ") + what);
   for (uint32_t index = 0; index < defs.size(); ++index) {
     if (defs[index]) table.put(index, make(*defs[index]));
   }
@@ -94,7 +95,7 @@ void fill(Table& table, const char* what, const std::vector<std::optional<Def>>&
 
 template <class Def>
 const Def& def_at(const std::vector<std::optional<Def>>& defs, uint32_t index) {
-  if (index >= defs.size() || !defs[index]) refuse("it lacks the definition of a solid or joint");
+  if (index >= defs.size() || !defs[index]) refuse_file("it lacks the definition of a solid or joint");
   return *defs[index];
 }
 
@@ -178,7 +179,7 @@ void World::Impl::fill_from(const std::string& definitions, const pbd::SavedStat
   make_solids(defs, layout);
   std::vector<uint64_t> digests;
   v.list("solid_digest", digests);
-  if (digests != digests_of(*this, layout)) refuse("a mesh file of its solids has changed since");
+  if (digests != digests_of(*this, layout)) refuse_file("a mesh file of its solids has changed since");
   fill(emitters, "emitter", defs.emitters,
        [](const EmitterDef& d) { return EmitterEntry{d, {}, EmitterClock(0, 0, 0, 1, 0), {}, {}, {}, {}}; });
   fill(sinks, "sink", defs.sinks, [](const SinkDef& d) { return SinkEntry{d, {}}; });
@@ -217,17 +218,17 @@ void World::Impl::fill_from(const std::string& definitions, const pbd::SavedStat
       awake[number] = rigid.awake(number);
     });
   }
-  if (engine->particle_count() != ids.size()) refuse("its particles and their ids differ in number");
+  if (engine->particle_count() != ids.size()) refuse_file("its particles and their ids differ in number");
 }
 
 /// In the order of Bullet's lists. Joints come after their bodies.
 void World::Impl::make_solids(const Definitions& defs, const collision::RigidLayout& layout) {
   if (layout.proxies.size() != layout.objects.size() || layout.joint_places.size() != layout.joints.size())
-    refuse("its lists of solids differ in length");
+    refuse_file("its lists of solids differ in length");
   for (size_t k = 0; k < layout.objects.size(); ++k) {
     const uint32_t index = layout.objects[k] / 2;
     const collision::RigidPlace place{index, layout.proxies[k]};
-    if (layout.proxies[k] == 0 || layout.proxies[k] >= layout.proxy_room) refuse("its places of solids");
+    if (layout.proxies[k] == 0 || layout.proxies[k] >= layout.proxy_room) refuse_file("its places of solids");
     if (layout.objects[k] % 2) {
       const BodyDef& body = def_at(defs.bodies, index);
       check::def(body);

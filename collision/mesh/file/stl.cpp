@@ -14,7 +14,7 @@ namespace meniscus::collision {
 
 namespace {
 
-constexpr size_t header_size = 80, count_size = 4, triangle_size = 50;
+constexpr size_t title_size = 80, count_size = 4, triangle_size = 50;
 
 void add_triangle(Polygons& all) {
   const auto first = static_cast<uint32_t>(all.vertices.size()) - 3;
@@ -24,20 +24,20 @@ void add_triangle(Polygons& all) {
 
 uint64_t promised_triangles(std::string_view bytes) {
   uint32_t count = 0;
-  if (bytes.size() >= header_size + count_size) std::memcpy(&count, bytes.data() + header_size, count_size);
+  if (bytes.size() >= title_size + count_size) std::memcpy(&count, bytes.data() + title_size, count_size);
   return count;
 }
 
 bool is_binary(std::string_view bytes) {
-  return bytes.size() >= header_size + count_size &&
-         bytes.size() == header_size + count_size + triangle_size * promised_triangles(bytes);
+  return bytes.size() >= title_size + count_size &&
+         bytes.size() == title_size + count_size + triangle_size * promised_triangles(bytes);
 }
 
 Polygons read_binary(std::string_view bytes) {
   Polygons all;
   const uint64_t count = promised_triangles(bytes);
   for (uint64_t t = 0; t < count; ++t) {
-    const char* triangle = bytes.data() + header_size + count_size + t * triangle_size;
+    const char* triangle = bytes.data() + title_size + count_size + t * triangle_size;
     float numbers[12];  // a normal, and three corners
     std::memcpy(numbers, triangle, sizeof numbers);
     for (int corner = 1; corner < 4; ++corner)
@@ -125,7 +125,7 @@ Polygons read_stl(std::string_view bytes) {
   if (is_word(words.next(), "solid")) return AsciiReader(bytes).read();
   throw FileDefect("is neither ASCII STL nor binary STL: it promises " +
                    std::to_string(promised_triangles(bytes)) + " triangles, which need " +
-                   std::to_string(header_size + count_size + triangle_size * promised_triangles(bytes)) +
+                   std::to_string(title_size + count_size + triangle_size * promised_triangles(bytes)) +
                    " bytes, and has " + std::to_string(bytes.size()));
 }
 

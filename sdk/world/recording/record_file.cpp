@@ -30,7 +30,7 @@ struct RecordHead {
 };
 static_assert(sizeof(RecordHead) == 24);
 
-[[noreturn]] void refuse(const std::string& path, const std::string& why) {
+[[noreturn]] void refuse_recording(const std::string& path, const std::string& why) {
   throw Error(ErrorCode::io, path + " is no usable recording: " + why);
 }
 
@@ -70,25 +70,27 @@ RecordReader::RecordReader(const std::string& path) : path_(path), stream_(path,
   bytes_left_ = std::filesystem::file_size(path, no_size);
   if (!stream_ || no_size) io::throw_io_error("read", path);
   Prefix prefix{};
-  if (bytes_left_ < sizeof prefix) refuse(path, "it ends within its first bytes");
+  if (bytes_left_ < sizeof prefix) refuse_recording(path, "it ends within its first bytes");
   get(stream_, prefix);
   bytes_left_ -= sizeof prefix;
-  if (std::memcmp(prefix.magic, magic, sizeof magic) != 0) refuse(path, "it does not begin with MENISREC");
+  if (std::memcmp(prefix.magic, magic, sizeof magic) != 0)
+    refuse_recording(path, "it does not begin with MENISREC");
   if (prefix.version != version) {
-    refuse(path, "its format is version " + std::to_string(prefix.version) + ", and this program (" +
-                     MENISCUS_VERSION_STRING + ") knows version " + std::to_string(version));
+    refuse_recording(path, "its format is version " + std::to_string(prefix.version) +
+                               ", and this program (" + MENISCUS_VERSION_STRING + ") knows version " +
+                               std::to_string(version));
   }
-  if (prefix.header_bytes > bytes_left_) refuse(path, "it ends within its header");
+  if (prefix.header_bytes > bytes_left_) refuse_recording(path, "it ends within its header");
   std::string text(prefix.header_bytes, '\0');
   stream_.read(text.data(), static_cast<std::streamsize>(text.size()));
   bytes_left_ -= text.size();
   if (!stream_ || XXH3_64bits(text.data(), text.size()) != prefix.header_hash)
-    refuse(path, "its header is damaged");
+    refuse_recording(path, "its header is damaged");
   const Json json = Json::parse(text, nullptr, false);
   try {
     header_ = {json.at("program").get<std::string>(), json.at("device").get<std::string>()};
   } catch (const Json::exception& wrong) {
-    refuse(path, std::string("its header is not as it should be: ") + wrong.what());
+    refuse_recording(path, std::string("its header is not as it should be: ") + wrong.what());
   }
 }
 
@@ -104,7 +106,7 @@ std::optional<Record> RecordReader::next() {
   if (!stream_) io::throw_io_error("read", path_);
   const bool is_known = head.kind >= 1 && head.kind <= 3 && head.zero == 0;
   if (!is_known || XXH3_64bits(record.bytes.data(), record.bytes.size()) != head.hash)
-    refuse(path_, "a record of it is damaged");
+    refuse_recording(path_, "a record of it is damaged");
   return record;
 }
 

@@ -17,26 +17,26 @@ namespace meniscus {
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& what) {
+[[noreturn]] void refuse_shared(const std::string& what) {
   throw Error(ErrorCode::invalid_argument,
               "a world that several ranks share has no " + what +
                   "; it has fluids, fixed shapes, bodies, emitters, sinks, probes and diffuse particles");
 }
 
 void check_solver(const WorldDef& def) {
-  if (def.periodic.x || def.periodic.y || def.periodic.z) refuse("periodic axes");
-  if (def.density.tolerance > 0) refuse("DensitySolverDef::tolerance");
-  if (is_baseline(def.density.solver)) refuse("solvers pcisph, wcsph and dfsph");
+  if (def.periodic.x || def.periodic.y || def.periodic.z) refuse_shared("periodic axes");
+  if (def.density.tolerance > 0) refuse_shared("DensitySolverDef::tolerance");
+  if (is_baseline(def.density.solver)) refuse_shared("solvers pcisph, wcsph and dfsph");
 }
 
 void check_contents(const WorldTables& world) {
   world.fluids.for_each([](uint32_t, const ParticleMaterial& m) {
-    if (m.grain.is_grain) refuse("granular materials");
-    if (m.fluid.dynamic_viscosity > 0) refuse("fluids with FluidDef::dynamic_viscosity");
+    if (m.grain.is_grain) refuse_shared("granular materials");
+    if (m.fluid.dynamic_viscosity > 0) refuse_shared("fluids with FluidDef::dynamic_viscosity");
   });
-  if (world.cloths.size()) refuse("cloth");
-  if (world.ropes.size()) refuse("ropes");
-  if (world.force_fields.size()) refuse("force fields");
+  if (world.cloths.size()) refuse_shared("cloth");
+  if (world.ropes.size()) refuse_shared("ropes");
+  if (world.force_fields.size()) refuse_shared("force fields");
 }
 
 void check_sums(const WorldTables& world, const WorldDef& def) {
@@ -63,10 +63,11 @@ void SharedWorld::check(const World& world) {
   check_solver(impl.def);
   check_sums(impl, impl.def);
   check_contents(impl);
-  if (!impl.hooks.empty()) refuse("hooks");
-  if (impl.recorder) refuse("recording");
+  if (!impl.hooks.empty()) refuse_shared("hooks");
+  if (impl.recorder) refuse_shared("recording");
   if (impl.engine->any_crowd())
-    refuse("particles of add_particles before the first step, since they may be too near to each other");
+    refuse_shared(
+        "particles of add_particles before the first step, since they may be too near to each other");
 }
 
 void SharedWorld::hold_back(World& world) {

@@ -23,21 +23,21 @@ using namespace chunk_format;
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& path, const std::string& why) {
+[[noreturn]] void refuse_snapshot(const std::string& path, const std::string& why) {
   throw Error(ErrorCode::io, path + " is no usable snapshot: " + why);
 }
 
 Json parsed_header(const std::string& path, const std::string& text) {
   Json json = Json::parse(text, nullptr, false);
-  if (!json.is_object()) refuse(path, "its header is no JSON");
+  if (!json.is_object()) refuse_snapshot(path, "its header is no JSON");
   return json;
 }
 
 template <class T>
 T whole_member(const std::string& path, const Json& chunk, const char* name) {
   if (const auto value = whole_number<T>(chunk.at(name))) return *value;
-  refuse(path, std::string("its header is not as it should be: \"") + name +
-                   "\" of a chunk is no whole number in range");
+  refuse_snapshot(path, std::string("its header is not as it should be: \"") + name +
+                            "\" of a chunk is no whole number in range");
 }
 
 /// Whether the bytes of a chunk are as they were written.
@@ -60,38 +60,40 @@ pbd::StateItem read_chunk(const std::string& path, const Json& chunk, std::istre
                           uint64_t& bytes_left) {
   const auto name = chunk.at("name").get<std::string>();
   if (whole_member<uint32_t>(path, chunk, "version") > parted_version)
-    refuse(path, "its chunk \"" + name + "\" is of a later version");
+    refuse_snapshot(path, "its chunk \"" + name + "\" is of a later version");
   pbd::StateItem item{.form = chunk.at("form").get<std::string>(),
                       .element_bytes = whole_member<uint32_t>(path, chunk, "element_bytes"),
                       .count = whole_member<std::size_t>(path, chunk, "count"),
                       .required = chunk.at("required").get<bool>()};
   if (item.element_bytes == 0 || item.count > bytes_left / item.element_bytes)
-    refuse(path, "it ends within the chunk \"" + name + "\"");
+    refuse_snapshot(path, "it ends within the chunk \"" + name + "\"");
   bytes_left -= item.bytes();
   item.host.resize(item.bytes());
   stream.read(reinterpret_cast<char*>(item.host.data()), static_cast<std::streamsize>(item.bytes()));
   if (!stream) io::throw_io_error("read", path);
-  if (!is_intact(path, chunk, item)) refuse(path, "its chunk \"" + name + "\" is damaged");
+  if (!is_intact(path, chunk, item)) refuse_snapshot(path, "its chunk \"" + name + "\" is damaged");
   return item;
 }
 
 /// The JSON of a file's header. The stream is then behind it.
 Json read_header(const std::string& path, std::istream& stream, uint64_t& bytes_left) {
   Prefix prefix{};
-  if (bytes_left < sizeof prefix) refuse(path, "it ends within its first bytes");
+  if (bytes_left < sizeof prefix) refuse_snapshot(path, "it ends within its first bytes");
   stream.read(reinterpret_cast<char*>(&prefix), sizeof prefix);
   bytes_left -= sizeof prefix;
-  if (std::memcmp(prefix.magic, magic, sizeof magic) != 0) refuse(path, "it does not begin with MENISNAP");
+  if (std::memcmp(prefix.magic, magic, sizeof magic) != 0)
+    refuse_snapshot(path, "it does not begin with MENISNAP");
   if (prefix.version != format_version) {
-    refuse(path, "its format is version " + std::to_string(prefix.version) + ", and this program (" +
-                     MENISCUS_VERSION_STRING + ") knows version " + std::to_string(format_version));
+    refuse_snapshot(path, "its format is version " + std::to_string(prefix.version) + ", and this program (" +
+                              MENISCUS_VERSION_STRING + ") knows version " + std::to_string(format_version));
   }
-  if (prefix.header_bytes > bytes_left) refuse(path, "it ends within its header");
+  if (prefix.header_bytes > bytes_left) refuse_snapshot(path, "it ends within its header");
   std::string text(prefix.header_bytes, '\0');
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (!stream) io::throw_io_error("read", path);
   bytes_left -= text.size();
-  if (XXH3_64bits(text.data(), text.size()) != prefix.header_hash) refuse(path, "its header is damaged");
+  if (XXH3_64bits(text.data(), text.size()) != prefix.header_hash)
+    refuse_snapshot(path, "its header is damaged");
   return parsed_header(path, text);
 }
 
@@ -101,7 +103,7 @@ auto with_members(const std::string& path, const Use& use) {
   try {
     return use();
   } catch (const Json::exception& wrong) {
-    refuse(path, std::string("its header is not as it should be: ") + wrong.what());
+    refuse_snapshot(path, std::string("its header is not as it should be: ") + wrong.what());
   }
 }
 
@@ -146,7 +148,8 @@ pbd::SavedState read_chunks(std::istream& stream, uint64_t bytes_left, const std
     for (const Json& chunk : json.at("chunks"))
       chunks.add(chunk.at("name").get<std::string>(), read_chunk(path, chunk, stream, bytes_left));
   });
-  if (bytes_left > 0) refuse(path, "it goes on for " + std::to_string(bytes_left) + " bytes after its end");
+  if (bytes_left > 0)
+    refuse_snapshot(path, "it goes on for " + std::to_string(bytes_left) + " bytes after its end");
   return chunks;
 }
 
