@@ -27,8 +27,17 @@ struct Predict {
   }
   MENISCUS_HD void operator()(uint32_t b) const {
     const auto [start, pose] = ends(b);
-    bodies[b] = {start, pose, mass[b].inverse_mass, mass[b].inverse_inertia, 0, 0,
-                 0,     0,    motion[b].loaded,     motion[b].yielding};
+    bodies[b] = {start,
+                 pose,
+                 mass[b].inverse_mass,
+                 mass[b].inverse_inertia,
+                 0,
+                 0,
+                 0,
+                 0,
+                 motion[b].loaded,
+                 motion[b].yielding,
+                 motion[b].is_held};
   }
 };
 
@@ -137,6 +146,12 @@ struct GroupCounts {
   }
 };
 
+/// Of how many parts of a body a contact has one: see Split.
+MENISCUS_HD inline float split_of(const GroupCounts& all, bool is_free) {
+  const uint32_t kinds = all.free > 0 && all.unyielding > 0 ? 2 : 1;
+  return static_cast<float>((is_free ? all.free : all.unyielding) * kinds * (all.attached > 0 ? 2 : 1));
+}
+
 /// Gives each contact its lever arm and its fraction of the body (mass splitting, Tonge, Benevolenski &
 /// Voroshilov 2012). The body is treated as if it were as many bodies as it has contacts, each with that part
 /// of the mass. Then all contacts together move the body no further than it can go. If some particles cannot
@@ -157,11 +172,8 @@ struct Split {
     const BodyProxy& body = bodies[c.body];
     const float distance = plane_distance(c, position[contacts.particle[n]].xyz());
     const GroupCounts all = counts.count ? counts[c.body] : GroupCounts::of(body);
-    const uint32_t alike = k < body.unyielding ? all.free : all.unyielding,
-                   kinds = all.free > 0 && all.unyielding > 0 ? 2 : 1;
-    const float fraction = static_cast<float>(alike * kinds * (all.attached > 0 ? 2 : 1));
     c.arm = c.point + pbd::max(distance, c.radius) * c.normal - body.pose.position;
-    c.body_inverse_mass += fraction * inverse_mass_at(body, c.arm, c.normal);
+    c.body_inverse_mass += split_of(all, k < body.unyielding) * inverse_mass_at(body, c.arm, c.normal);
   }
 };
 
@@ -251,6 +263,7 @@ struct Follow {
     const Contact c = contacts.contacts[n];  // loaded as a whole, together with the count
     if (k >= contacts.total() || c.body >= bodies.count) return;
     const BodyProxy& body = bodies[c.body];
+    if (body.is_held) return;
     if (c.body_inverse_mass == 0 && k != body.first) return;
     const ContactMotion now = motion_by(body, sum_of_lanes(partial, c.body, lanes)), old = before[c.body];
     if (k == body.first) after[c.body] = now;

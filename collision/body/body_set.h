@@ -116,6 +116,9 @@ class BodySet final : public pbd::ConstraintSet<D> {
 
  private:
   void sum_contacts(pbd::Substep<D>& substep);
+  void start_held(pbd::Substep<D>& substep);
+  void free_held(pbd::Substep<D>& substep, bool gives_back);
+  void move_held(pbd::Substep<D>& substep, bool is_last);
   void count_over_ranks(pbd::GhostExchange& ranks);
   void add_over_ranks(pbd::GhostExchange& ranks);
   void predict_motions(float dt);
@@ -138,6 +141,7 @@ class BodySet final : public pbd::ConstraintSet<D> {
   ShapeContacts<D>& contacts_;
   uint32_t bodies_ = 0;
   bool any_moved_ = false;    // whether particles can move any body
+  bool any_held_ = false;     // in the present substep
   std::vector<float> reach_;  // m, from each body's centre to its outermost point
   std::vector<RigidImpulse> sums_, mean_forces_, mean_forces_before_;
   std::vector<RigidImpulse> kept_forces_;  // of one world of a batch, as it was made
@@ -164,6 +168,9 @@ class BodySet final : public pbd::ConstraintSet<D> {
   pbd::Buffer<body_kernels::IntegerSum> totals_{device_, "body sums"};            // of a shared world
   pbd::Buffer<body_kernels::GroupCounts> counts_{device_, "contacts of bodies"};  // likewise
   pbd::Buffer<body_kernels::ContactSum> zone_impulses_{device_, "impulses of body zones"};
+  pbd::Buffer<HeldBody> held_{device_, "held bodies"};
+  pbd::Buffer<Sym6> riding_{device_, "held bodies"};
+  pbd::Buffer<uint32_t> on_cloth_{device_, "held bodies"};
   pbd::DoubleBuffer<body_kernels::ContactMotion> contact_motion_{device_, "body displacements"};
   pbd::Buffer<uint32_t> key_{device_, "contact bodies"};
   pbd::Buffer<uint32_t> sorted_key_{device_, "contact bodies"};

@@ -9,6 +9,7 @@
 #include <chrono>
 
 #include "collision/body/body_set.h"
+#include "collision/body/held_bodies.inl"
 #include "collision/body/over_ranks.inl"
 
 namespace meniscus::collision {
@@ -44,6 +45,9 @@ void BodySet<D>::set_shapes(std::span<const CarriedShape> carried, pbd::View<Sha
   partial_.resize_discard(bodies_ * lanes());
   integer_sums_.resize_discard(device_.fixes_sums() ? bodies_ * lanes() : 0);
   zone_impulses_.resize_discard(bodies_);
+  held_.resize_discard(world_.is_on_device() ? bodies_ : 0);
+  riding_.resize_discard(held_.size() * lanes());
+  on_cloth_.resize_discard(riding_.size());
   contact_motion_.reserve(bodies_, 0);
   place();
 }
@@ -123,6 +127,11 @@ void BodySet<D>::predict_among_solids(float dt) {
   begun_ = true;
   time_rigid([&] { world_.begin_step(dt); });
   world_.predict_among_solids(dt, motion_.host());
+  any_held_ = false;
+  for (RigidMotion& m : motion_.host()) {
+    m.is_held = m.is_held && !device_.fixes_sums();  // the mass that rides on bodies has no fixed sum
+    any_held_ |= m.is_held;
+  }
   ahead_ = dt;
 }
 
@@ -154,6 +163,7 @@ void BodySet<D>::begin(pbd::Substep<D>& substep) {
   device_.parallel_for(
       "bodies/split", room,
       Split{grouped_.view(), proxies_.view(), substep.particles.position, contacts, counts_.view()});
+  if (any_held_) start_held(substep);
 }
 
 template <class D>
@@ -175,18 +185,20 @@ void BodySet<D>::sum_contacts(pbd::Substep<D>& substep) {
 }
 
 template <class D>
-void BodySet<D>::project(pbd::Substep<D>& substep, int) {
+void BodySet<D>::project(pbd::Substep<D>& substep, int iteration) {
   if (!any_moved_) return;
   sum_contacts(substep);
   device_.parallel_for(
       "bodies/follow", substep.contacts.contacts.count,
       body_kernels::Follow{grouped_.view(), proxies_.view(), partial_.view(), contact_motion_.current.view(),
                            contact_motion_.next.view(), substep.contacts, lanes()});
+  if (any_held_) move_held(substep, iteration + 1 == substep.iterations);
   contact_motion_.flip();
 }
 
 template <class D>
 void BodySet<D>::end(pbd::Substep<D>& substep) {
+  any_held_ = false;
   if (bodies_ == 0) return;
   sum_contacts(substep);
   device_.parallel_for("bodies/impulse", bodies_,
@@ -280,7 +292,7 @@ void BodySet<D>::start_step() {
   step_time_ = 0;
   step_ms_ = 0;
   start_time_ = world_.time();
-  begun_ = ended_ = false;
+  begun_ = ended_ = any_held_ = false;
   if (bodies_ == 0) return;
   worlds_.start_step();
   if (world_.is_on_device()) {  // this thread alone uses the device

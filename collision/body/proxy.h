@@ -21,6 +21,7 @@ struct BodyProxy {
   uint32_t attached;     ///< the first of its attachments, which come last
   Vec3 loaded{0, 0, 0};  ///< see RigidMotion
   float yielding = 1;
+  bool is_held = false;  ///< fluid sees it move as held_kernels.h says
 };
 
 /// What other solids leave of a push, as far as the body gives way to it.
@@ -48,6 +49,12 @@ MENISCUS_HD inline float inverse_mass_at(const BodyProxy& body, Vec3 r, Vec3 n) 
   const Vec3 lever = resisted_turn(body, cross(r, n));
   const float along = dot(n, body.loaded), left = 1 - (1 - body.yielding) * along * along;
   return left * body.inverse_mass + dot(lever, inverse_inertia_times(body, lever));
+}
+
+/// The same without other solids.
+MENISCUS_HD inline float unloaded_inverse_mass_at(const BodyProxy& body, Vec3 r, Vec3 n) {
+  const Vec3 lever = cross(r, n);
+  return body.inverse_mass + dot(lever, inverse_inertia_times(body, lever));
 }
 
 /// 1/M + [r]ᵀ I⁻¹ [r]: the inverse mass matrix of the point at r, 1/kg.

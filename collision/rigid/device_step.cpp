@@ -115,8 +115,12 @@ RigidMotion RigidWorld::Impl::unpushed_motion(uint32_t number, const RigidBodyRe
   if (!body.bullet->isActive()) return asleep(*body.bullet, body.memory, dt);
   const KinematicVelocity mean = velocity_to(start, end.pose, dt / static_cast<float>(def.substeps));
   if (!end.touches) return {start, mean.linear, mean.angular};
-  return {start, mean.linear, mean.angular, normalized_or(body.memory.usual_force, {0, 0, 0}),
-          yielding_of(body.memory)};
+  return {start,
+          mean.linear,
+          mean.angular,
+          normalized_or(body.memory.usual_force, {0, 0, 0}),
+          yielding_of(body.memory),
+          true};
 }
 
 /// Compares what the push of particles did to the body's velocity with what it would do to a free body, along

@@ -19,6 +19,7 @@ struct RigidMotion {
   /// `yielding` of what it would alone. `loaded` is a unit vector, or 0.
   Vec3 loaded{0, 0, 0};
   float yielding = 1;
+  bool is_held = false;  ///< other solids touch it, or may in this substep
 };
 
 struct RigidMass {

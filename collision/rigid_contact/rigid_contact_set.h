@@ -6,6 +6,7 @@
 
 #include <memory>
 
+#include "collision/rigid_contact/bearing_kernels.h"
 #include "collision/rigid_contact/ground_buffers.h"
 #include "collision/rigid_contact/hull_buffers.h"
 #include "collision/rigid_contact/solve_kernels.h"
@@ -46,6 +47,13 @@ class RigidContactSet final : public RigidContacts {
   std::vector<SavedContact> save() override;
   void restore(std::span<const SavedContact> saved) override;
 
+  /// Lets contacts bear pushes on bodies within a substep of dt (s), from the last advance() on.
+  void start_bearing(float dt);
+  /// Visits each contact once.
+  void bear(pbd::View<HeldBody> bodies);
+  /// The next advance() starts from what contacts bear.
+  void store_bearing(float dt);
+
  private:
   /// What a step leaves for the next one, in the order of pairs.
   struct Memory {
@@ -73,13 +81,15 @@ class RigidContactSet final : public RigidContacts {
   void solve(const ContactStep& step);
   template <class Solve>
   void solve_once(const char* name, const Solve& solve);
+  template <class Visit>
+  void visit_colours(const char* name, Visit visit);
   uint32_t part_count() const { return static_cast<uint32_t>(host_parts_.size()); }
 
   D& device_;
   std::vector<ContactPart> host_parts_;
   rigid_contact_kernels::CellGrid grid_{1, 1};
   uint32_t bodies_count_ = 0, pair_count_ = 0, contact_count_ = 0;
-  float small_step_ = 0;  // s, of the last advance()
+  float step_ = 0, small_step_ = 0;  // s, of the last advance()
   bool any_bounces_ = false;
   std::vector<uint32_t> colour_starts_;
 
@@ -108,6 +118,7 @@ class RigidContactSet final : public RigidContacts {
   pbd::Buffer<uint64_t> used_{device_, "solid colours"};
   pbd::Buffer<uint32_t> starts_{device_, "solid colours"};
   pbd::Buffer<rigid_contact_kernels::SolverContact> solver_{device_, "solid contacts"};
+  pbd::Buffer<rigid_contact_kernels::Bearing> bearing_{device_, "solid contacts"};
   Memory memory_{device_}, kept_{device_};
   pbd::Buffer<uint32_t> contact_start_{device_, "solid contacts"};  // of each part's, among those found
 };

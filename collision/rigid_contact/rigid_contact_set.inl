@@ -31,6 +31,7 @@ void RigidContactSet<D>::advance(std::span<const ContactBody> bodies, const Cont
   device_.parallel_for(
       "solids/start", bodies_count_,
       rigid_contact_kernels::StartBodies{start_.view(), bodies_.view(), turn_.view(), step.dt});
+  step_ = step.dt;
   small_step_ = step.dt / static_cast<float>(step.small_steps);
   prepare(small_step_);
   solve(step);
@@ -165,27 +166,35 @@ void RigidContactSet<D>::prepare(float h) {
                                      parts_.view(), start_.view(), bodies_.view(), solver_.view(), h});
 }
 
-/// Colours of few contacts that follow one another are one launch.
 template <class D>
 template <class Solve>
 void RigidContactSet<D>::solve_once(const char* name, const Solve& solve) {
   using namespace rigid_contact_kernels;
-  using Few = ColoursInOneGroup<Solve>;
+  visit_colours(name, OfColour<Solve>{solver_.view(), bodies_.view(), 0, solve});
+}
+
+/// Runs `visit`, whose first contact is to be set, for all colours. Colours of few contacts that follow one
+/// another are one launch.
+template <class D>
+template <class Visit>
+void RigidContactSet<D>::visit_colours(const char* name, Visit visit) {
+  using namespace rigid_contact_kernels;
+  using Few = ColoursInOneGroup<Visit>;
   const uint32_t few =
-      device_.kind() == pbd::DeviceKind::cpu ? InGroups<Solve>::group_threads : Few::group_threads;
+      device_.kind() == pbd::DeviceKind::cpu ? InGroups<Visit>::group_threads : Few::group_threads;
   const auto size = [this](uint32_t colour) { return colour_starts_[colour + 1] - colour_starts_[colour]; };
   const auto has_few = [&](uint32_t colour) { return colour == serial_colour || size(colour) <= few; };
   for (uint32_t colour = 0, end; colour < colour_count; colour = end) {
-    const OfColour<Solve> first{solver_.view(), bodies_.view(), colour_starts_[colour], solve};
+    visit.first = colour_starts_[colour];
     for (end = colour; end < colour_count && has_few(end);) ++end;
     if (end > colour) {
       if (colour_starts_[end] > colour_starts_[colour])
-        device_.parallel_for_groups(name, 1, Few{first, starts_.view(), colour, end});
+        device_.parallel_for_groups(name, 1, Few{visit, starts_.view(), colour, end});
       continue;
     }
     end = colour + 1;
-    device_.parallel_for_groups(name, InGroups<Solve>::groups(size(colour)),
-                                InGroups<Solve>{first, size(colour)});
+    device_.parallel_for_groups(name, InGroups<Visit>::groups(size(colour)),
+                                InGroups<Visit>{visit, size(colour)});
   }
 }
 
@@ -204,6 +213,27 @@ void RigidContactSet<D>::solve(const ContactStep& step) {
     solve_once("solids/relax", SolveContact{small, false, true});
   }
   if (any_bounces_) solve_once("solids/bounce", Bounce{step.least_bounce});
+}
+
+template <class D>
+void RigidContactSet<D>::start_bearing(float dt) {
+  make_room(bearing_, contact_count_);
+  device_.parallel_for("solids/start bearing", contact_count_,
+                       rigid_contact_kernels::StartBearing{solver_.view(), bodies_.view(), bearing_.view(),
+                                                           dt, step_, small_step_});
+}
+
+template <class D>
+void RigidContactSet<D>::bear(pbd::View<HeldBody> bodies) {
+  if (contact_count_ > 0)
+    visit_colours("solids/bear", rigid_contact_kernels::Bear{bearing_.view(), bodies, 0});
+}
+
+template <class D>
+void RigidContactSet<D>::store_bearing(float dt) {
+  device_.parallel_for("solids/store bearing", contact_count_,
+                       rigid_contact_kernels::StoreBearing{bearing_.view(), order_.view(), contacts_.view(),
+                                                           found_.view(), dt});
 }
 
 template <class D>

@@ -142,19 +142,19 @@ struct OfColour {
   }
 };
 
-/// The same by groups, as a colour has few contacts and each takes long.
-template <class Solve>
+/// Runs `Visit`, such as OfColour, by groups, as a colour has few contacts and each takes long.
+template <class Visit>
 struct InGroups {
   static constexpr uint32_t group_threads = 32;
   struct Scratch {};
 
-  OfColour<Solve> of_colour;
+  Visit of_colour;
   uint32_t count;
 
   template <class Group>
   MENISCUS_HD void operator()(const Group& group, Scratch&, uint32_t n) const {
     const uint32_t first = group_threads * n, rest = count - first;
-    OfColour<Solve> own = of_colour;
+    Visit own = of_colour;
     own.first += first;
     group.for_each(rest < group_threads ? rest : group_threads, own);
   }
@@ -162,18 +162,18 @@ struct InGroups {
 };
 
 /// The same for several colours, one after the other, by one group. Those of the last one share bodies.
-template <class Solve>
+template <class Visit>
 struct ColoursInOneGroup {
   static constexpr uint32_t group_threads = 128;
   struct Scratch {};
 
-  OfColour<Solve> of_colour;
+  Visit of_colour;
   View<const uint32_t> starts;
   uint32_t begin, end;
 
   template <class Group>
   MENISCUS_HD void operator()(const Group& group, Scratch&, uint32_t) const {
-    OfColour<Solve> own = of_colour;
+    Visit own = of_colour;
     for (uint32_t colour = begin; colour < end; ++colour) {
       own.first = starts[colour];
       const uint32_t count = starts[colour + 1] - own.first;

@@ -41,12 +41,12 @@ struct Raft {
   World world;
   BodyId raft{}, load{};
 
-  /// The load is `ratio` times as heavy as the raft; 0: the raft has the mass of both.
-  Raft(pbd::DeviceKind device, float ratio) : world(loaded_def(device)) {
+  /// The load is `ratio` times as heavy as the raft; 0: the raft has the mass of both. `half_width`: m.
+  Raft(pbd::DeviceKind device, float ratio, float half_width = 0.2f) : world(loaded_def(device)) {
     world.create_shape(tank({-0.5f, 0, -0.5f}, {0.5f, 1.5f, 0.5f}));
     const float own = ratio > 0 ? heavy / ratio : heavy;
     raft = world.create_body(box_of({0.3f, 0.1f, 0.3f}, {0, 0.4f, 0}, own));
-    if (ratio > 0) load = world.create_body(box_of({0.2f, 0.03f, 0.2f}, {0, 0.53f, 0}, heavy));
+    if (ratio > 0) load = world.create_body(box_of({half_width, 0.03f, half_width}, {0, 0.53f, 0}, heavy));
     add_water(world, {-0.5f, 0, -0.5f}, {0.5f, 0.4f, 0.5f});
   }
   /// m: of the raft, on average over the last of the steps.
@@ -77,6 +77,27 @@ TEST_P(LoadedBodies, ALightRaftFloatsAsDeepAsWhatItCarries) {
   const Diagnostics d = carried.world.diagnostics();
   EXPECT_LT(d.density_error_mean, 0.01);
   EXPECT_LT(d.max_speed, 0.5);
+}
+
+// A narrow load holds the raft against tilting by its weight times its half width alone.
+TEST_P(LoadedBodies, ALightRaftCarriesANarrowLoad) {
+  struct Case {
+    float ratio, half_width;
+  };
+  constexpr int steps = 100;
+  const float alone = Raft(GetParam(), 0).height(steps);
+  for (const auto [ratio, half_width] : {Case{300, 0.05f}, Case{10000, 0.1f}}) {
+    Raft carried(GetParam(), ratio, half_width);
+    EXPECT_NEAR(carried.height(steps), alone, 0.03f * 0.1f) << ratio;
+    const BodyState raft = carried.world.body_state(carried.raft),
+                    load = carried.world.body_state(carried.load);
+    EXPECT_NEAR(load.pose.position.y - raft.pose.position.y, 0.13f, 0.002f) << ratio;
+    EXPECT_LT(length(raft.velocity), 0.05f) << ratio;
+    EXPECT_LT(length(raft.angular_velocity), 0.2f) << ratio;
+    const Diagnostics d = carried.world.diagnostics();
+    EXPECT_LT(d.density_error_mean, 0.01) << ratio;
+    EXPECT_LT(d.max_speed, 0.5) << ratio;
+  }
 }
 
 // A plate of 1 kg that lies on posts, under half a metre of water.
