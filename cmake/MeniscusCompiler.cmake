@@ -58,7 +58,7 @@ function(meniscus_library name)
   if(arg_MERGED AND MENISCUS_MERGE_SOURCES)
     set(kernels ${arg_SOURCES})
     list(FILTER kernels INCLUDE REGEX "_cpu\\.cpp$")
-    set_source_files_properties(${kernels} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    set_source_files_properties(${kernels} ${arg_CUDA} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
     set_target_properties(${name} PROPERTIES UNITY_BUILD ON)
   endif()
   # No definition of the library's own, which would compile shared objects a second time under ccache.

@@ -11,14 +11,19 @@ function(run)
   set(output "${output}" PARENT_SCOPE)
 endfunction()
 
-# build_and_run_consumer(FOLDER OPTION...): configures, builds and runs the consumer, whose water must have moved.
-function(build_and_run_consumer folder)
+# configure_consumer(FOLDER OPTION...)
+function(configure_consumer folder)
   set(flags)
   if(SANITIZE)
     set(flags -DCMAKE_CXX_FLAGS=-fsanitize=${SANITIZE})
   endif()
   run(${CMAKE_COMMAND} -S ${CONSUMER} -B ${folder} -G ${GENERATOR} -DCMAKE_BUILD_TYPE=${BUILD_TYPE}
     -DCMAKE_CXX_COMPILER=${CXX} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER} ${flags} ${ARGN})
+endfunction()
+
+# build_and_run_consumer(FOLDER OPTION...): configures, builds and runs the consumer, whose water must have moved.
+function(build_and_run_consumer folder)
+  configure_consumer(${folder} ${ARGN})
   run(${CMAKE_COMMAND} --build ${folder} --parallel 2)
   run_consumer(${folder}/consumer)
 endfunction()

@@ -1,8 +1,16 @@
 # SPDX-FileCopyrightText: 2026 The Meniscus authors
 # SPDX-License-Identifier: MIT
 #
-# Builds Meniscus as a part of a user's project, with FetchContent. It compiles all of Meniscus, so without optimising.
+# Builds Meniscus as a part of a user's project, with FetchContent: WHOLE, without optimising, and the consumer with it;
+# else one library, which takes seconds in place of minutes.
 include(${CMAKE_CURRENT_LIST_DIR}/consumer.cmake)
 
-set(BUILD_TYPE Debug)
-build_and_run_consumer(${FOLDER}/subproject -DMENISCUS_MERGE_SOURCES=ON -DMENISCUS_SOURCE=${SOURCE} -DMENISCUS_CUDA=OFF)
+set(folder ${FOLDER}/subproject)
+set(options -DMENISCUS_SOURCE=${SOURCE} -DMENISCUS_CUDA=OFF -DMENISCUS_MERGE_SOURCES=ON)
+if(WHOLE)
+  set(BUILD_TYPE Debug)
+  build_and_run_consumer(${folder}_whole ${options})
+else()
+  configure_consumer(${folder} ${options})
+  run(${CMAKE_COMMAND} --build ${folder} --parallel 2 --target meniscus_pbd)
+endif()
