@@ -118,8 +118,7 @@ struct RespondHeld {
     HeldBody& to = held[b];
     const Sym6 own = mass_of(body);
     const ContactSum sum = sum_of_lanes(partial, b, lanes);
-    Six lacking = to.borne - own * to.motion;
-    lacking = lacking - Six{sum.push.xyz(), sum.twist.xyz()};
+    const Six lacking = to.borne - own * to.motion - Six{sum.push.xyz(), sum.twist.xyz()};
     Sym6 all = own;
     for (uint32_t k = 0; k < lanes; ++k) all += riding[b * lanes + k];
     to.give = inverse(all);
