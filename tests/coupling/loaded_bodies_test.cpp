@@ -100,6 +100,26 @@ TEST_P(LoadedBodies, ALightRaftCarriesANarrowLoad) {
   }
 }
 
+TEST_P(LoadedBodies, ALightRaftFloatsForAMinute) {
+  const float alone = Raft(GetParam(), 0).height(100);
+  Raft carried(GetParam(), 300, 0.1f);
+  run(carried.world, 125, dt);
+  const auto energy = [&] {
+    const Diagnostics d = carried.world.diagnostics();
+    return d.kinetic_energy + d.potential_energy;
+  };
+  const double start = energy();
+  for (int second = 2; second < 60; second += 2) {
+    EXPECT_NEAR(carried.height(125), alone, 0.03f * 0.1f) << second;
+    const BodyState raft = carried.world.body_state(carried.raft),
+                    load = carried.world.body_state(carried.load);
+    EXPECT_NEAR(load.pose.position.y - raft.pose.position.y, 0.13f, 0.002f) << second;
+    EXPECT_LT(length(raft.velocity), 0.05f) << second;
+    EXPECT_LT(energy(), 1.001 * start) << second;
+    EXPECT_LT(carried.world.diagnostics().density_error_mean, 0.01) << second;
+  }
+}
+
 // A plate of 1 kg that lies on posts, under half a metre of water.
 TEST_P(LoadedBodies, ALightPlateBearsAHeavyColumnOfWater) {
   World world(loaded_def(GetParam()));
