@@ -86,6 +86,21 @@ void bodies(World& world) {
   add_body(world, CapsuleGeometry{0.06f, 0.1f}, {0.3f, 1, 0.4f}, 900);
 }
 
+/// A raft with a load, a heap on the floor, and a wedge. All touch from the start.
+void touching_bodies(World& world) {
+  world.create_shape(tank({0, 0, 0}, {1, 1.5f, 1}));
+  fill(world, world.create_fluid({}), {0, 0, 0}, {1, 0.4f, 1});
+  const Vec3 small{0.08f, 0.08f, 0.08f};
+  add_body(world, BoxGeometry{{0.25f, 0.05f, 0.25f}}, {0.4f, 0.45f, 0.5f}, 50);
+  add_body(world, BoxGeometry{small}, {0.4f, 0.579f, 0.5f}, 1000);
+  add_body(world, SphereGeometry{0.08f}, {0.4f, 0.738f, 0.5f}, 1000);
+  add_body(world, BoxGeometry{small}, {0.85f, 0.079f, 0.2f}, 3000);
+  add_body(world, CapsuleGeometry{0.06f, 0.05f}, {0.85f, 0.268f, 0.2f}, 3000);
+  const HullGeometry wedge{
+      {{-0.1f, 0, -0.1f}, {0.1f, 0, -0.1f}, {0.1f, 0, 0.1f}, {-0.1f, 0, 0.1f}, {0, 0.2f, 0}}};
+  add_body(world, wedge, {0.85f, -0.001f, 0.8f}, 3000);
+}
+
 void cloth_over_ball(World& world) {
   world.create_shape(floor());
   ShapeDef ball;
@@ -228,6 +243,8 @@ std::vector<SmallScene> small_scenes() {
       {"small/grid_solver", 30, [](WorldDef& def) { def.density.solver = DensitySolver::grid; }, bodies},
       {"small/grains", 30, no_change, grains},
       {"small/bodies", 30, no_change, bodies},
+      {"small/touching_bodies", 30, [](WorldDef& def) { def.rigid.solver = RigidSolver::device; },
+       touching_bodies},
       {"small/cloth_over_ball", 40, no_change, cloth_over_ball},
       {"small/balloon", 40, no_change, balloon},
       {"small/ropes_and_rods", 40, no_change, ropes_and_rods},
