@@ -25,7 +25,8 @@ struct VectorBoxes {
     const float limits[6] = {a.x, a.y, a.z, -a.x, -a.y, -a.z};
     for (uint32_t k = 0; k < 6; ++k) pbd::atomic_max(keys[6 * row + k], key_of(limits[k]));
   }
-  MENISCUS_HD bool is_empty(uint32_t row) const { return keys[6 * row] == 0; }
+  /// Also while others add to it.
+  MENISCUS_HD bool is_empty(uint32_t row) const { return pbd::atomic_load(keys[6 * row]) == 0; }
   MENISCUS_HD Aabb box(uint32_t row) const {
     const auto limit = [&](uint32_t k) { return value_of(keys[6 * row + k]); };
     return {{-limit(3), -limit(4), -limit(5)}, {limit(0), limit(1), limit(2)}};
@@ -192,7 +193,8 @@ struct FindSurroundings {
     const pbd::Contact& c = contacts.contacts[k];
     if (c.solid == pbd::no_index) return;
     if (c.body == pbd::on_cloth) {
-      if (!around.immovable.is_empty(c.solid)) return;  // which comes first
+      // What is immovable comes first. Then it does not matter whether this one is added.
+      if (!around.immovable.is_empty(c.solid)) return;
       return around.movable.add(c.solid, position[i].xyz() - previous[i].xyz());
     }
     const uint32_t piece = piece_of(i);
