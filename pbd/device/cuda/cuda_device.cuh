@@ -336,7 +336,7 @@ class CudaDevice final : public Device {
                          const LongKernel& long_kernel) {
     using namespace cuda_kernels;
     const bool by_threads = fixes_sums() || count > most_for_one_launch;
-    if (overlaps_launches_ && by_threads && long_count > 0) {
+    if (overlaps_launches_ && by_threads && count > 0 && long_count > 0) {
       // In one launch the first kernel would be limited to the second one's registers. Beside it, one thread
       // for each item is the least work, however few items there are.
       launch(name, blocks_beside(count, long_count), block_size,
