@@ -124,7 +124,7 @@ struct RespondHeld {
     to.give = inverse(all);
     to.before = to.motion;
     to.motion += to.give * lacking;
-    to.moves = true;
+    to.moves = 1;
   }
 };
 

@@ -13,7 +13,7 @@ struct HeldBody {
   Sym6 give{};             ///< 1/kg: the inverse of its mass, with that of the particles that ride on it
   Six motion{}, before{};  ///< m and rad, beyond where it would be without particles: now, an iteration ago
   Six borne{};             ///< kg·m: what solids exert beyond what they would without particles
-  bool moves = false;
+  uint32_t moves = 0;      // a whole word: a copy reads no padding
 };
 
 /// m: of a body's point.
