@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Memory that runs out while the worlds of a batch step in turns: all worlds and their events are as before.
+// Memory that runs out while the worlds of a batch step in turns, or go back to a snapshot.
 #include <algorithm>
 
 #include "tests/cloth_worlds.h"
@@ -79,6 +79,42 @@ TEST_P(BatchFaultsTest, ATurnThatFailsTakesBackAll) {
   std::printf("%d failures, of which %d lost the batch\n", failures, losses);
   EXPECT_GT(failures, 30);
   EXPECT_LT(losses, failures / 4);
+}
+
+/// What was restored in part would be a state that nobody has asked for.
+TEST_P(BatchFaultsTest, ARestoreThatFailsRestoresAllOrLosesTheBatch) {
+  WorldBatch made = batch();
+  BatchSnapshot snapshot = made.snapshot();
+  const std::vector<uint64_t> saved = hashes(made);
+  made.step(dt);
+  const std::vector<uint64_t> before = hashes(made);
+  int failures = 0, losses = 0;
+  for (bool fails = true; fails && !HasFailure();) {
+    bool succeeds = true;
+    {
+      const FailingMemory failing({});
+      try {
+        made.restore(snapshot);
+      } catch (const Error&) {
+        succeeds = false;
+      }
+      fails = failing.has_failed();
+    }
+    failures += fails;
+    EXPECT_TRUE(fails || succeeds);
+    if (!succeeds && is_lost(made)) {
+      ++losses;
+      made = batch();
+      snapshot = made.snapshot();
+    } else {
+      EXPECT_EQ(hashes(made), succeeds ? saved : before);
+      if (HasFailure()) print_last_stack();
+      made.restore(snapshot);
+    }
+    made.step(dt);
+  }
+  std::printf("%d failures, of which %d lost the batch\n", failures, losses);
+  EXPECT_GT(failures, 5);
 }
 
 MENISCUS_ON_EACH_DEVICE(BatchFaultsTest);

@@ -227,15 +227,7 @@ void WorldBatch::Impl::step_in_turns(BatchReport& report) {
       if (are_all) return;
     }
   } catch (...) {
-    try {
-      restore(before_turns);
-    } catch (const pbd::StateLost&) {
-      throw;
-    } catch (const Error& error) {
-      throw pbd::StateLost(error);
-    } catch (...) {
-      throw pbd::StateLost();
-    }
+    restore_or_lose(before_turns);
     engine().rigid_worlds().set_all_news(std::move(news));
     throw;
   }

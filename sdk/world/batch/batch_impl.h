@@ -62,6 +62,8 @@ struct WorldBatch::Impl {
   std::span<const BodyState> read_bodies();
   void visit_state(pbd::StateVisitor& v);
   void restore(const pbd::SavedState& saved);
+  /// Whatever fails half way is a pbd::StateLost.
+  void restore_or_lose(const pbd::SavedState& saved);
   void note(const std::shared_ptr<BatchSnapshot::Data>& data);
   bool has(const std::shared_ptr<BatchSnapshot::Data>& data) const;
   void hash_worlds(std::span<uint64_t> out) const;

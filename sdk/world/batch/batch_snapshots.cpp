@@ -67,6 +67,18 @@ void WorldBatch::Impl::restore(const pbd::SavedState& saved) {
   changed();
 }
 
+void WorldBatch::Impl::restore_or_lose(const pbd::SavedState& saved) {
+  try {
+    restore(saved);
+  } catch (const pbd::StateLost&) {
+    throw;
+  } catch (const Error& error) {
+    throw pbd::StateLost(error);
+  } catch (...) {
+    throw pbd::StateLost();
+  }
+}
+
 // ---- in memory ----
 
 /// What is in the memory of the batch's device goes before the device.
@@ -103,7 +115,7 @@ void WorldBatch::restore(const BatchSnapshot& snapshot) {
     throw Error(ErrorCode::invalid_argument, "WorldBatch::restore got a snapshot of no batch");
   if (!impl_->has(snapshot.data_))
     throw Error(ErrorCode::invalid_argument, "WorldBatch::restore got a snapshot of another batch");
-  impl_->run([&] { impl_->restore(snapshot.data_->state); }, "restore");
+  impl_->run([&] { impl_->restore_or_lose(snapshot.data_->state); }, "restore");
 }
 
 // ---- files ----
