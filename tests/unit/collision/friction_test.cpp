@@ -75,18 +75,19 @@ TEST_P(FrictionTest, TheStoppingDistanceIsTheTextbooks) {
 // Velocities change at a substep's start, so that a particle moves half a substep less than it should.
 TEST_P(FrictionTest, TheStoppingDistanceLacksHalfASubstep) {
   for (int substeps : {4, 16}) {
-    for (float mu : {0.3f, 0.5f, 0.7f}) {
+    for (float friction : {0.3f, 0.5f, 0.7f}) {
       constexpr float speed = 2, frame = 1 / 60.0f;
       WorldDef def = world_def(GetParam(), s);
       def.substeps = substeps;
       World world(def);
-      world.create_shape(plane({0, 1, 0}, mu));
+      world.create_shape(plane({0, 1, 0}, friction));
       world.add_particles(world.create_fluid({}), std::vector<Vec3>{{0, radius, 0}},
                           std::vector<Vec3>{{speed, 0, 0}});
       run(world, 60, frame);
-      const float exact = speed * speed / (2 * mu * gravity);
+      const float exact = speed * speed / (2 * friction * gravity);
       const float lack = 0.5f * speed * frame / static_cast<float>(substeps);
-      EXPECT_NEAR(world.positions()[0].x, exact - lack, 1e-3f * exact) << "μ " << mu << ", " << substeps;
+      EXPECT_NEAR(world.positions()[0].x, exact - lack, 1e-3f * exact)
+          << "μ " << friction << ", " << substeps;
     }
   }
 }
