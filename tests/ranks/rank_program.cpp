@@ -11,6 +11,7 @@
 //   --flow                 with emitters, sinks and probes, which it prints too
 //   --bodies               with bodies, of which it prints what they do
 //   --drop                 instead, drops that meet without gravity; prints the relative error of momentum
+//   --cuts slabs|pencils   where the cuts are; by default slabs
 //   --move-cuts            by two layers with every step
 //   --memory               each rank prints the memory of its device for each particle
 //   --save FILE            saves the world after the steps
@@ -45,7 +46,7 @@ struct Options {
   float width = 0.3f, length = 1.3f;  // m
   bool pulls = true, gridded = false, flows = false, floats = false, drops = false, prints_memory = false,
        on_gpus = false;
-  pbd::CutPolicy policy;
+  pbd::CutPolicy policy{.kind = pbd::CutKind::slabs};
   std::string file;
   struct {
     int rank = -1, call = 0;
@@ -124,7 +125,9 @@ Options options_of(int argc, char** argv) {
     if (word == "--flow") options.flows = true;
     if (word == "--bodies") options.floats = true;
     if (word == "--drop") options.drops = true;
-    if (word == "--move-cuts") options.policy = {.every = 1, .most_imbalance = 0, .shift = 2};
+    if (word == "--cuts" && argument(1) == "pencils") options.policy.kind = pbd::CutKind::pencils;
+    if (word == "--move-cuts")
+      options.policy = {.kind = options.policy.kind, .every = 1, .most_imbalance = 0, .shift = 2};
     if (word == "--memory") options.prints_memory = true;
     if (word == "--save") options.file = argument(1);
     if (word == "--size") options.width = std::strtof(argument(1).c_str(), nullptr);
