@@ -10,7 +10,7 @@ contents STEPS RANKS... [--cuts pencils] emitters, sinks, probes and bodies do a
 gpu_hashes STEPS        the hashes are the same on as many GPUs as there are, one a rank
 faults RANKS            a rank that throws, has no memory or is killed ends all: soon, with a message and exit code
 hang RANKS [LIMIT]      so does a rank that stops, within 30 s, or here soon after a limit in s
-memory BYTES WIDTH LENGTH RANKS... [--cuts pencils]   no rank needs more bytes for each of its particles, in a dam of that size
+memory BYTES WIDTH LENGTH RANKS... [OPTION...]   no rank needs more bytes for each of its particles, in a dam of that size
 particles STEPS RANKS   each particle is still there, and once
 momentum RANKS [--bodies]   free drops that meet keep it, also where they meet on a body
 scene FILE RANKS [OPTION...]   meniscus run has the same hash alone and on so many ranks
