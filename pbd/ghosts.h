@@ -37,7 +37,7 @@ class GhostExchange {
   /// Element by element, over all ranks, on the host. All ranks call it.
   virtual void add_up(std::span<uint64_t> values) = 0;
 
-  // For sets with values at the corners of cells, which stand on the layers of cells that they begin.
+  // With slabs, for sets with values at the corners of cells, on the layers of cells that they begin.
   virtual int rank() const = 0;
   /// By rank: its layers of corners of cells that may have particles. Known if a set needs own cells.
   virtual std::span<const Layers> corner_layers() const = 0;
@@ -47,8 +47,8 @@ class GhostExchange {
   /// In the device's memory: sends words to the rank above, and gets as many from the rank below.
   virtual void pass_up(const uint32_t* sent, uint32_t* received, size_t words) = 0;
 
-  // For sets with elements of their own, each on the rank in whose slab it is.
-  /// Sends the elements in the slabs of others, of so many in these arrays. The first array begins with a
+  // For sets with elements of their own, each on the rank in whose region it is.
+  /// Sends the elements in the regions of others, of so many in these arrays. The first array begins with a
   /// position. Returns how many arrive.
   virtual uint32_t hand_over(const GridView& grid, uint32_t count, const std::vector<WordArray>& arrays) = 0;
   /// Writes what has arrived into the arrays, from element `first` on. Call it once, next after hand_over().

@@ -11,6 +11,7 @@
 
 #include "pbd/device/scalar.h"
 #include "pbd/math/vec.h"
+#include "pbd/ranks/region.h"
 
 namespace meniscus::pbd {
 
@@ -36,35 +37,29 @@ struct GridView {
   View<const uint32_t>
       start;  ///< of each cell's sorted particles, which end where those of the next cell start
 
-  // The slab of a rank, in layers of cells along z, or along y. Its cells come first. The cells of two layers
-  // follow, for the ghosts below and above the slab, and then one cell for particles that are neither. So
-  // owned particles come first, then ghosts. Without ranks all layers are in the slab.
-  bool layers_along_y = false;
-  uint32_t first_layer = 0, last_layer = ~0u;  ///< last − first, which may wrap around
+  // The part of a rank has its cells first. Those of its ghosts follow: of the layers below and above it
+  // along z, which have its corners, and then of those along y. Behind them is one cell for particles that
+  // are neither. So owned particles come first, then ghosts. Without ranks all cells are in the part.
+  bool is_part = false;
+  Region part{};
+  bool layers_along_y = false;  ///< of slabs, or else along z
   /// Of the table of all layers, of which that of a slab is a part. Without ranks it is the table itself.
   uint32_t whole_layer_bits = least_bits, whole_strip_bits = 0;
 
   MENISCUS_HD uint32_t key_bits() const { return bits_x + bits_y + bits_z; }
-  /// Of a world, or of a slab.
+  /// Of a world, or of a part.
   MENISCUS_HD uint32_t cell_count() const { return 1u << key_bits(); }
   /// The first cell of particle i's world.
   MENISCUS_HD uint32_t first_cell(uint32_t i) const { return each ? i / each << key_bits() : 0; }
-  MENISCUS_HD bool is_slab() const { return last_layer != ~0u; }
-  MENISCUS_HD uint32_t layer_bits() const { return layers_along_y ? bits_z : bits_y; }
   /// With those of ghosts.
   MENISCUS_HD uint32_t all_cells() const {
-    return is_slab() ? cell_count() + (2u << (bits_x + layer_bits())) + 1 : cell_count();
+    return is_part ? cell_count() + ghosts_along_z() + ghosts_along_y() + 1 : cell_count();
   }
   MENISCUS_HD int32_t layer(CellCoordinates c) const { return layers_along_y ? c.y : c.z; }
-  /// Whether the slab or a layer next to it contains a cell.
-  MENISCUS_HD bool holds(CellCoordinates c) const {
-    return !is_slab() || static_cast<uint32_t>(layer(c)) - first_layer + 1 <= last_layer + 2;
-  }
-
-  /// Whether the slab contains a cell, without the layers of ghosts.
-  MENISCUS_HD bool owns(CellCoordinates c) const {
-    return static_cast<uint32_t>(layer(c)) - first_layer <= last_layer;
-  }
+  /// Whether the part or a column next to it contains a cell.
+  MENISCUS_HD bool holds(CellCoordinates c) const { return !is_part || part.is_near(c.y, c.z); }
+  /// Whether the part contains a cell.
+  MENISCUS_HD bool owns(CellCoordinates c) const { return part.contains(c.y, c.z); }
 
   MENISCUS_HD CellCoordinates coordinates(Vec3 p) const {
     // The clamp keeps the conversion defined for any float, NaN included.
@@ -80,16 +75,28 @@ struct GridView {
   }
   /// The key of a row's first cell.
   MENISCUS_HD uint32_t row(uint32_t y, uint32_t z) const {
-    if ((layers_along_y ? y : z) - first_layer > last_layer) return ghost_row(y, z);
+    return part.contains(static_cast<int32_t>(y), static_cast<int32_t>(z)) ? own_row(y, z) : ghost_row(y, z);
+  }
+  /// The same of a row in the part.
+  MENISCUS_HD uint32_t own_row(uint32_t y, uint32_t z) const {
     const uint32_t strip = (y & ((1u << bits_y) - 1)) >> strip_bits, in_strip = y & ((1u << strip_bits) - 1);
     const uint32_t row_layer = (strip << bits_z) + (z & ((1u << bits_z) - 1));
     return ((row_layer << strip_bits) + in_strip) << bits_x;
   }
-  /// The same outside of the slab: the cells of a layer are in the same order as in it.
+
+ private:
+  /// The cells of two layers, below and above the part.
+  MENISCUS_HD uint32_t ghosts_along_z() const { return part.is_cut_along_z() ? 2u << (bits_x + bits_y) : 0; }
+  MENISCUS_HD uint32_t ghosts_along_y() const { return part.is_cut_along_y() ? 2u << (bits_x + bits_z) : 0; }
+  /// The same of a row next to the part.
   MENISCUS_HD uint32_t ghost_row(uint32_t y, uint32_t z) const {
-    const uint32_t is_above = (layers_along_y ? y : z) - first_layer == ~0u ? 0 : 1;
-    const uint32_t across = (layers_along_y ? z : y) & ((1u << layer_bits()) - 1);
-    return cell_count() + (((is_above << layer_bits()) + across) << bits_x);
+    const bool is_below = static_cast<int32_t>(z) < part.first_z;
+    if (is_below || static_cast<int32_t>(z) >= part.end_z)
+      return cell_count() + ghost_cell(!is_below, y, bits_y);
+    return cell_count() + ghosts_along_z() + ghost_cell(static_cast<int32_t>(y) >= part.first_y, z, bits_z);
+  }
+  MENISCUS_HD uint32_t ghost_cell(bool is_above, uint32_t across, uint32_t bits) const {
+    return ((static_cast<uint32_t>(is_above) << bits) + (across & ((1u << bits) - 1))) << bits_x;
   }
 };
 
@@ -114,6 +121,7 @@ class Surroundings {
     above_y2_ = away2(1 - y);
     below_z2_ = away2(z);
     above_z2_ = away2(1 - z);
+    is_inside_ = grid.part.is_inside(cell.y, cell.z);
     const Cells most = cut(0);
     wraps_ = most.first + most.count > width();
   }
@@ -142,7 +150,8 @@ class Surroundings {
     const float z2 = dz == 1 ? 0.0f : dz == 0 ? below_z2_ : above_z2_;
     const Cells cells = cut(y2 + z2);
     const uint32_t end = cells.first + cells.count, wrapped = end > width() ? end - width() : 0;
-    const uint32_t base = first_cell_ + grid_.row(y_ + dy, z_ + dz);
+    const uint32_t row_cell = is_inside_ ? grid_.own_row(y_ + dy, z_ + dz) : grid_.row(y_ + dy, z_ + dz);
+    const uint32_t base = first_cell_ + row_cell;
     return {load(grid_.start, base + (second ? 0 : cells.first)),
             load(grid_.start, base + (second ? wrapped : end - wrapped))};
   }
@@ -172,7 +181,8 @@ class Surroundings {
   uint32_t first_cell_;
   float slack_, x_, below_y2_, above_y2_, below_z2_, above_z2_;
   uint32_t first_, y_, z_;
-  bool wraps_;  // the table wraps around within reach
+  bool wraps_;      // the table wraps around within reach
+  bool is_inside_;  // all rows are in the part of this rank
 };
 
 /// The runs of sorted particles that together hold every particle within reach of a point.

@@ -56,6 +56,11 @@ struct CellOrder {
   }
 };
 
+/// Layers of the part of a rank with its ghosts, on each axis.
+struct PartLayers {
+  int32_t y, z;
+};
+
 /// Sorts particles by cell and lists each one's neighbours within the support radius, once a substep. A GPU
 /// uses coarse positions if there are many particles, unless sums are fixed.
 template <class D>
@@ -73,17 +78,17 @@ class NeighbourSearch {
   /// Allocates for `capacity` particles.
   void reserve(uint32_t capacity);
 
-  /// The axis along which a slab would be cut: y or z.
+  /// The axis along which slabs would be cut: y or z.
   void set_layers(bool along_y) { grid_.layers_along_y = along_y; }
-  /// From now on only the layers [first, end) have owned particles.
-  void set_slab(bool along_y, int32_t first, int32_t end);
-  /// Like fit(), for a slab: `count` and `extent` are of the particles of all ranks. So a layer has its cells
-  /// in the same order on all of them. `layers`: of the slab, with its ghosts.
-  void fit_slab(const Aabb& extent, uint32_t count, int32_t layers);
+  /// From now on only this part has owned particles.
+  void set_part(const Region& part);
+  /// Like fit(), for a part: `count` and `extent` are of the particles of all ranks. So all ranks have the
+  /// same cells along x, and along an axis without cuts.
+  void fit_part(const Aabb& extent, uint32_t count, PartLayers layers);
   /// Whether the table of all layers has an entry of its own for each of so many, with one on either side.
   bool has_own_layers(uint32_t layers) const { return layers + 2 <= 1u << grid_.whole_layer_bits; }
-  /// After a sort of a slab: the numbers of owned particles and of ghosts.
-  std::pair<uint32_t, uint32_t> count_slab() const;
+  /// After a sort of a part: the numbers of owned particles and of ghosts.
+  std::pair<uint32_t, uint32_t> count_part() const;
 
   /// From the next fit on, the table grows with the extent, up to 16 times, so that cells which are apart do
   /// not share entries. Its shape then depends on the extent and the number of particles alone.
@@ -130,7 +135,7 @@ class NeighbourSearch {
   GridView grid_;
   uint32_t capacity_ = 0, worlds_ = 1;
   uint32_t rows_ =
-      0;  // lists that have room; in a slab fewer than there may be particles, since ghosts have none
+      0;  // lists that have room; in a part fewer than there may be particles, since ghosts have none
   uint32_t cells_ = 0;  // room for a table of so many, for each world
   uint32_t row_capacity_;
   bool is_coarse_ = false;  // lists are built from coarse positions

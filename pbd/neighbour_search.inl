@@ -244,9 +244,9 @@ void NeighbourSearch<D>::reserve(uint32_t capacity) {
   capacity_ = capacity;
   const uint32_t size = capacity + Particles::padding;
   for (Buffer<uint32_t>* b : {&order_, &counts_}) b->resize_discard(size);
-  reserve_lists(grid_.is_slab() ? 0 : capacity);  // those of a slab grow with it
+  reserve_lists(grid_.is_part ? 0 : capacity);  // those of a part grow with it
   if constexpr (D::interleaves_lists) coarse_.resize_discard(size / HalfBlock::points + 3);
-  if (grid_.is_slab()) return;  // see fit_slab()
+  if (grid_.is_part) return;  // see fit_part()
   cells_ = neighbour_kernels::table_for(capacity / worlds_, least_cells());
   reserve_table(worlds_ * cells_);
 }
@@ -266,19 +266,21 @@ void NeighbourSearch<D>::reserve_table(uint32_t cells) {
 }
 
 template <class D>
-void NeighbourSearch<D>::set_slab(bool along_y, int32_t first, int32_t end) {
-  grid_.layers_along_y = along_y;
-  grid_.first_layer = static_cast<uint32_t>(first);
-  grid_.last_layer = static_cast<uint32_t>(end) - static_cast<uint32_t>(first) - 1;
+void NeighbourSearch<D>::set_part(const Region& part) {
+  grid_.is_part = true;
+  grid_.part = part;
 }
 
 template <class D>
-void NeighbourSearch<D>::fit_slab(const Aabb& extent, uint32_t count, int32_t layers) {
+void NeighbourSearch<D>::fit_part(const Aabb& extent, uint32_t count, PartLayers layers) {
   using namespace neighbour_kernels;
   const uint32_t cells = has_own_cells_ ? most_cells(count) : table_for(count, least_cells());
   shape(extent, count, static_cast<uint32_t>(std::bit_width(cells)) - 1);
-  uint32_t& bits = grid_.layers_along_y ? grid_.bits_y : grid_.bits_z;
-  bits = std::min(bits, bits_for(static_cast<float>(layers), GridView::least_bits));
+  const auto narrow = [](uint32_t& bits, int32_t most) {
+    bits = std::min(bits, bits_for(static_cast<float>(most), GridView::least_bits));
+  };
+  if (grid_.part.is_cut_along_y()) narrow(grid_.bits_y, layers.y);
+  if (grid_.part.is_cut_along_z()) narrow(grid_.bits_z, layers.z);
   grid_.strip_bits = std::min(grid_.strip_bits, grid_.bits_y);
   if (grid_.all_cells() > cell_counts_.size() || cell_counts_.size() > 3 * size_t{grid_.all_cells()})
     reserve_table(grid_.all_cells());
@@ -286,7 +288,7 @@ void NeighbourSearch<D>::fit_slab(const Aabb& extent, uint32_t count, int32_t la
 }
 
 template <class D>
-std::pair<uint32_t, uint32_t> NeighbourSearch<D>::count_slab() const {
+std::pair<uint32_t, uint32_t> NeighbourSearch<D>::count_part() const {
   uint32_t owned = 0, both = 0;
   device_.copy_out(&owned, grid_.start.data + grid_.cell_count(), sizeof owned);
   device_.copy_out(&both, grid_.start.data + grid_.all_cells() - 1, sizeof both);
@@ -397,8 +399,8 @@ void NeighbourSearch<D>::grow_rows(uint32_t needed) {
 
 template <class D>
 NeighbourView NeighbourSearch<D>::view(uint32_t sentinel) {
-  if (grid_.is_slab()) {  // the sort is done, and its temporary memory is free
-    const uint32_t owned = count_slab().first;
+  if (grid_.is_part) {  // the sort is done, and its temporary memory is free
+    const uint32_t owned = count_part().first;
     if (owned > rows_) reserve_lists(owned + owned / 16);
   }
   return {index_.view(), counts_.view(), row_capacity_, stride(), sentinel};

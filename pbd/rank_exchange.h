@@ -10,16 +10,18 @@
 
 #include "pbd/ghosts.h"
 #include "pbd/grid.h"
+#include "pbd/neighbour_search.h"
 #include "pbd/particles.h"
+#include "pbd/ranks/cuts.h"
 #include "pbd/ranks/ranks.h"
-#include "pbd/ranks/slabs.h"
 
 namespace meniscus::pbd {
 
-/// When the cuts between ranks move.
+/// Where the cuts between ranks are, and when they move.
 struct CutPolicy {
+  CutKind kind = CutKind::automatic;
   int every = 16;                ///< steps between two looks
-  double most_imbalance = 1.05;  ///< see Slabs::imbalance
+  double most_imbalance = 1.05;  ///< see Cuts::imbalance
   int32_t shift = 0;             ///< layers by which the cuts move to and fro with each look
   bool expects_more = false;     ///< particles come: at first there may be fewer layers than the ranks need
 };
@@ -29,10 +31,16 @@ struct LacksRoom {
   uint32_t needed;  ///< particles on this rank, with its ghosts
 };
 
-/// Each particle has one owner: the rank in whose slab its predicted position is. Before each sort, a rank
+/// A rank with ghosts of this one.
+struct NeighbourRank {
+  Region region;
+  uint32_t rows_along_y;  ///< 1: the rows of these ghosts are in a layer of z, one for each y; 0: as for z
+};
+
+/// Each particle has one owner: the rank in whose region its predicted position is. Before each sort, a rank
 /// sends away the particles that others own from now on, and copies of those that are ghosts there. The sort
-/// puts owned particles first and ghosts behind them, both in the canonical order. The grids of all ranks
-/// have the same shape. So a rank has its ghosts in the order in which their owner has them, and later
+/// puts owned particles first and ghosts behind them. Within a row both are in the canonical order. Between
+/// two ranks, rows go in the order of their layers. So both have the same ghosts in the same order, and later
 /// messages carry values alone.
 template <class D>
 class RankExchange final : public GhostExchange {
@@ -40,7 +48,6 @@ class RankExchange final : public GhostExchange {
   RankExchange(D& device, Ranks& ranks, bool layers_along_y);
 
   Ranks& ranks() { return ranks_; }
-  bool layers_along_y() const { return layers_along_y_; }
   void set_policy(const CutPolicy& policy) { policy_ = policy; }
 
   void reserve(uint32_t capacity);
@@ -50,12 +57,11 @@ class RankExchange final : public GhostExchange {
   void cut_all(std::span<const Vec4> positions, const GridView& grid);
   /// Moves the cuts if the policy asks for it. `extent`: of the particles of all ranks.
   void balance(const ParticleView& particles, const GridView& grid, const Aabb& extent);
-  int32_t first_layer() const { return slabs_.first(ranks_.rank()); }
-  int32_t end_layer() const { return slabs_.end(ranks_.rank()); }
+  const Region& region() const { return cuts_.region(ranks_.rank()); }
   /// The layers that may have particles of this rank or their ghosts, where this is the extent of all.
-  int32_t layers_within(const GridView& grid, const Aabb& extent) const;
-  /// Finds which layers have particles, of which the first `count` are on this rank. Returns how many layers
-  /// there are, on all ranks and on this one with its ghosts.
+  PartLayers layers_within(const GridView& grid, const Aabb& extent) const;
+  /// For slabs. Finds which layers have particles, of which the first `count` are on this rank. Returns how
+  /// many layers there are, on all ranks and on this one with its ghosts.
   struct OccupiedLayers {
     uint32_t all;
     int32_t own;
@@ -81,23 +87,26 @@ class RankExchange final : public GhostExchange {
   void take_over(uint32_t first, const std::vector<WordArray>& arrays) override;
 
  private:
-  struct Histogram {
-    int32_t first;
-    std::vector<uint64_t> counts;
-  };
+  using Layers = GhostExchange::Layers;
+
   /// Writes to `list` the i below `count` to which tags.for_each(i, visit) gives a tag: by tag, and those of
-  /// a tag in order. Returns how many there are of each of `kinds` tags. The list stays on the device.
+  /// a tag in order. Returns how many there are of each of `kinds` kinds. The kind of a tag is what is above
+  /// its lowest `row_bits`. The list stays on the device.
   template <class Tags>
-  std::vector<uint32_t> select(uint32_t count, const Tags& tags, uint32_t kinds, Buffer<uint32_t>& list);
-  size_t least_layers() const { return size_t{Slabs::least_layers} * static_cast<size_t>(ranks_.count()); }
+  std::vector<uint32_t> select(uint32_t count, const Tags& tags, uint32_t kinds, Buffer<uint32_t>& list,
+                               uint32_t row_bits = 0);
+  CutAxes axes() const;
+  Layers slab(int rank) const;
+  ColumnCounts no_counts(const GridView& grid, const Aabb& extent) const;
   /// Chooses what leaves: the elements below count, for the ranks that are their tags. Returns how many
   /// arrive.
   template <class Tags>
   uint32_t choose_leaving(uint32_t count, const Tags& tags);
   void send_leaving(const std::vector<WordArray>& arrays);
-  View<const int32_t> write_cuts();
-  void cut(Histogram layers);
-  Histogram count_layers(const ParticleView& particles, const GridView& grid, const Aabb& extent);
+  void cut(ColumnCounts columns);
+  void set_cuts(Cuts cuts);
+  CutsView cuts_on_device() const;
+  ColumnCounts count_columns(const ParticleView& particles, const GridView& grid, const Aabb& extent);
   void exchange(std::span<const Sent> sent, std::span<const Received> received);
   void pack(const WordArray& from, View<const uint32_t> list, uint32_t* to);
 
@@ -105,15 +114,15 @@ class RankExchange final : public GhostExchange {
   Ranks& ranks_;
   bool layers_along_y_;
   CutPolicy policy_;
-  Slabs slabs_, even_slabs_;
+  Cuts cuts_, even_cuts_;
   std::vector<GhostExchange::Layers> corner_layers_;  // by rank
   int looks_ = 0, steps_ = 0;
   uint32_t capacity_ = 0;
 
-  /// Where in lists_ the particles are that the rank below or above needs, and the ghosts that it owns.
+  /// Where in lists_ the particles are that a neighbour needs, and the ghosts that it owns.
   struct Side {
     int rank;
-    uint32_t needed = 0, first_needed = 0, ghosts = 0, first_ghost = 0;
+    uint32_t needed, first_needed, ghosts, first_ghost;
   };
   std::vector<Side> sides_;
   /// Elements by rank, of the last message.
@@ -128,8 +137,9 @@ class RankExchange final : public GhostExchange {
   Buffer<uint32_t> lists_{device_, "exchange lists"};
   Buffer<uint32_t> leaving_{device_, "exchange lists"};
   Buffer<uint32_t> out_{device_, "messages"}, in_{device_, "messages"};
-  Buffer<int32_t> cuts_{device_, "cuts between ranks"};
-  Buffer<uint32_t> histogram_{device_, "particles by layer"};
+  Buffer<Cut> tree_{device_, "cuts between ranks"};
+  Buffer<NeighbourRank> neighbours_{device_, "neighbours of a rank"};
+  Buffer<uint32_t> histogram_{device_, "particles by column"};
   Buffer<GhostExchange::Layers> occupied_{device_, "layers with particles"};
 };
 

@@ -11,37 +11,49 @@
 
 namespace meniscus::pbd::rank_kernels {
 
-/// The ranks that need particle i, other than the one that has it: its owner, and the ranks beside its layer.
-/// Particles that are not finite stay where they are.
+/// Makes room, and a quarter more, since the next message may be longer.
+template <class T>
+void make_room(Buffer<T>& buffer, size_t size) {
+  if (size > buffer.size()) buffer.resize_discard(size + size / 4 + 64);
+}
+
+/// The ranks that need particle i, other than the one that has it: its owner, and those with a column beside
+/// its own. Particles that are not finite stay where they are.
 template <class Points>
 struct Destinations {
   Points points;
   GridView grid;
-  View<const int32_t> cuts;
+  CutsView cuts;
+  Region own;
   uint32_t self;
+  int32_t reach_y, reach_z;  ///< layers to the columns beside one: 1, or 0 on an axis without cuts
 
   /// Calls visit(rank) for each.
   template <class Visit>
   MENISCUS_HD void for_each(uint32_t i, const Visit& visit) const {
     const Vec3 p = points(i).xyz();
     if (!is_finite(p)) return;
-    const int32_t layer = grid.layer(grid.coordinates(p));
-    uint32_t last = self;
-    for (int32_t offset = -1; offset <= 1; ++offset) {
-      uint32_t rank = 0;
-      while (rank < cuts.count && layer + offset >= cuts[rank]) ++rank;
-      if (rank == self || rank == last) continue;
-      visit(rank);
-      last = rank;
+    const CellCoordinates c = grid.coordinates(p);
+    if (own.is_inside(c.y, c.z)) return;
+    uint32_t found[9], count = 0;
+    for (int32_t z = c.z - reach_z; z <= c.z + reach_z; ++z) {
+      for (int32_t y = c.y - reach_y; y <= c.y + reach_y; ++y) {
+        const uint32_t rank = cuts.owner(y, z);
+        bool is_new = rank != self;
+        for (uint32_t k = 0; k < count; ++k) is_new = is_new && found[k] != rank;
+        if (!is_new) continue;
+        visit(rank);
+        found[count++] = rank;
+      }
     }
   }
 };
 
-/// The rank in whose slab element i is, if that is another one.
+/// The rank in whose region element i is, if that is another one.
 struct Owners {
   WordArray elements;  ///< each begins with a position
   GridView grid;
-  View<const int32_t> cuts;
+  CutsView cuts;
   uint32_t self;
 
   template <class Visit>
@@ -49,15 +61,14 @@ struct Owners {
     Vec3 p;
     memcpy(&p, elements.data + static_cast<size_t>(i) * elements.words, sizeof p);
     if (!is_finite(p)) return;
-    const int32_t layer = grid.layer(grid.coordinates(p));
-    uint32_t rank = 0;
-    while (rank < cuts.count && layer >= cuts[rank]) ++rank;
+    const CellCoordinates c = grid.coordinates(p);
+    const uint32_t rank = cuts.owner(c.y, c.z);
     if (rank != self) visit(rank);
   }
 };
 
 /// The least range of layers that contains all particles; that of none.
-inline constexpr GhostExchange::Layers no_layers{Slabs::unbounded, -Slabs::unbounded};
+inline constexpr GhostExchange::Layers no_layers{Region::unbounded, -Region::unbounded};
 
 template <class Points>
 struct LayersOf {
@@ -66,7 +77,7 @@ struct LayersOf {
 
   MENISCUS_HD GhostExchange::Layers operator()(uint32_t i) const {
     const Vec3 p = points(i).xyz();
-    if (!is_finite(p)) return {Slabs::unbounded, -Slabs::unbounded};
+    if (!is_finite(p)) return {Region::unbounded, -Region::unbounded};
     const int32_t layer = grid.layer(grid.coordinates(p));
     return {layer, layer + 1};
   }
@@ -79,24 +90,34 @@ struct MergeLayers {
   }
 };
 
-/// What the owner and the ghosts of the layers beside a cut have to do with the rank beyond it.
-enum Boundary : uint32_t { needed_below, needed_above, ghost_below, ghost_above, boundary_kinds };
-
+/// The neighbours that need particle i, or for a ghost its owner. The tag of neighbour k has the kind 2 k for
+/// particles that it needs, and 2 k + 1 for its ghosts. Below the kind it has the row. Layers whose tags are
+/// equal are so far apart that floats do not tell cells there.
 struct Boundaries {
   View<const Vec4> position;
   GridView grid;
   uint32_t owned;
-  int32_t first, end;
-  bool has_below, has_above;
+  View<const NeighbourRank> neighbours;
+  uint32_t row_bits;
 
   template <class Visit>
   MENISCUS_HD void for_each(uint32_t i, const Visit& visit) const {
     const Vec3 p = position[i].xyz();
     if (!is_finite(p)) return;
-    const int32_t layer = grid.layer(grid.coordinates(p));
-    if (i >= owned) return visit(layer < first ? ghost_below : ghost_above);
-    if (has_below && layer == first) visit(needed_below);
-    if (has_above && layer == end - 1) visit(needed_above);
+    const CellCoordinates c = grid.coordinates(p);
+    const bool is_ghost = i >= owned;
+    if (grid.part.is_inside(c.y, c.z)) return;
+    for (uint32_t k = 0; k < neighbours.count; ++k) {
+      const NeighbourRank n = neighbours[k];
+      if (is_ghost ? n.region.contains(c.y, c.z) : n.region.is_near(c.y, c.z))
+        visit(tag(2 * k + is_ghost, n.rows_along_y ? c.y : c.z));
+    }
+  }
+
+ private:
+  MENISCUS_HD uint32_t tag(uint32_t kind, int32_t layer) const {
+    const uint32_t rows = 1u << row_bits;  // half of them below 0
+    return kind << row_bits | ((static_cast<uint32_t>(layer) + rows / 2) & (rows - 1));
   }
 };
 
@@ -127,16 +148,17 @@ struct PlaceTags {
   }
 };
 
-/// How many of the sorted tags are at most t.
+/// How many of the sorted tags have at most kind t.
 struct EndsOfTags {
   View<const uint32_t> sorted;
+  uint32_t row_bits;
   View<uint32_t> ends;
 
   MENISCUS_HD void operator()(uint32_t t) const {
     uint32_t first = 0, last = sorted.count;
     while (first < last) {
       const uint32_t middle = first + (last - first) / 2;
-      if (sorted[middle] <= t)
+      if (sorted[middle] >> row_bits <= t)
         first = middle + 1;
       else
         last = middle;
@@ -167,22 +189,23 @@ struct Unpack {
   }
 };
 
-/// Of a histogram. Stray particles beyond them count for its ends.
-inline constexpr int32_t most_layers = 1 << 16;
-
-/// Layers beyond those of the histogram count for its ends.
-struct CountLayers {
+/// Particles by column. Those beyond the histogram count for its ends.
+struct CountColumns {
   View<const Vec4> position;
   GridView grid;
-  int32_t first;
+  int32_t first_y, first_z, layers_y, layers_z;
   View<uint32_t> counts;
 
   MENISCUS_HD void operator()(uint32_t i) const {
     const Vec3 p = position[i].xyz();
     if (!is_finite(p)) return;
-    const int32_t k = grid.layer(grid.coordinates(p)) - first;
-    const int32_t last = static_cast<int32_t>(counts.count) - 1;
-    atomic_add(counts[static_cast<uint32_t>(k < 0 ? 0 : k > last ? last : k)], 1);
+    atomic_add(counts[column(grid.coordinates(p))], 1);
+  }
+  MENISCUS_HD uint32_t column(CellCoordinates c) const {
+    const auto place = [](int32_t layer, int32_t layers) {
+      return static_cast<uint32_t>(layer < 0 ? 0 : layer < layers ? layer : layers - 1);
+    };
+    return place(c.z - first_z, layers_z) * static_cast<uint32_t>(layers_y) + place(c.y - first_y, layers_y);
   }
 };
 

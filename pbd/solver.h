@@ -136,7 +136,7 @@ class Solver {
   bool read_last_substep(const std::function<void(Substep<D>&)>& read);
 
   /// From now on the world is shared with other ranks, which have made the same calls so far. Keeps the
-  /// particles in this rank's slab. Throws Error(capacity) if there are too few layers for the ranks. There
+  /// particles in this rank's region. Throws Error(capacity) if there are too few layers for the ranks. There
   /// must be no vertices.
   void share(Ranks& ranks, const CutPolicy& policy);
   /// The same while no particles are here: those at these positions are to come. Append those that

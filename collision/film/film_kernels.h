@@ -214,7 +214,7 @@ struct Window {
 };
 
 /// Finds how much of each exposed triangle is wet, for bodies with films. A gap in which particles do not fit
-/// well counts as wet. Where ranks share the fluid, each looks at what is in its own slab.
+/// well counts as wet. Where ranks share the fluid, each looks at what is in its own region.
 struct FindWetFaces {
   Surfaces surfaces;
   ShapeSet set;
@@ -242,7 +242,7 @@ struct FindWetFaces {
   }
 };
 
-/// Finds the pressure beside each vertex of a film that is open there, if that is in the rank's slab.
+/// Finds the pressure beside each vertex of a film that is open there, if that is in the region of the rank.
 /// `has_film`: by body, whether a film of it is wet.
 struct FindRims {
   Surfaces surfaces;

@@ -28,8 +28,8 @@ struct FluidMultipliers {
 ///   ∇·(g³ ∇(p − ρ g·x)) = 0, with p of the fluid or the air beside it at the rim.
 ///
 /// It follows from the gaps and the multipliers of a substep alone. The loads go to BodySet as impulses. So
-/// this set must stand before it. Where ranks share the world, each looks at the fluid in its slab. What they
-/// see is merged, and all solve the same equations.
+/// this set must stand before it. Where ranks share the world, each looks at the fluid in its region. What
+/// they see is merged, and all solve the same equations.
 template <class D>
 class FilmSet final : public pbd::ConstraintSet<D> {
  public:

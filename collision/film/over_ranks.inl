@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // How the ranks of a shared world merge what each has found of the fluid beside films. Each place is in the
-// slab of one rank, and the others have 0 for it. So the bits of numbers can be added up as integers.
+// region of one rank, and the others have 0 for it. So the bits of numbers can be added up as integers.
 #pragma once
 
 #include <meniscus/error.h>

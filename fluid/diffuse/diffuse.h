@@ -52,7 +52,7 @@ struct DiffuseKey {
 
 /// Advances the particles in a step's last substep. New particles count once the step is accepted.
 ///
-/// In a world that ranks share, each has the particles in its slab.
+/// In a world that ranks share, each has the particles in its region.
 template <class D>
 class Diffuse final : public pbd::Observer<D> {
  public:

@@ -172,7 +172,7 @@ struct MarkAlive {
   MENISCUS_HD void operator()(uint32_t i) const { alive[i] = particles[i].life > 0; }
 };
 
-/// Marks the particles that others have now. They are in the slabs of these.
+/// Marks the particles that others have now. They are in the regions of these.
 struct MarkHandedOver {
   View<const DiffuseParticle> before;
   pbd::GridView grid;

@@ -53,7 +53,7 @@ std::vector<pbd::WordArray> Diffuse<D>::carried() {
           {reinterpret_cast<uint32_t*>(keys_.view().data), sizeof(DiffuseKey) / sizeof(uint32_t)}};
 }
 
-/// Particles go to the rank in whose slab they are. Those that arrive stand behind the present ones, which
+/// Particles go to the rank in whose region they are. Those that arrive stand behind the present ones, which
 /// stay as they are until the step is accepted. Returns their number.
 template <class D>
 uint32_t Diffuse<D>::exchange_particles(const pbd::Substep<D>& s) {

@@ -55,7 +55,7 @@ struct Space {
   MENISCUS_HD float width() const { return 1 / cells.inverse_reach; }
   /// The particles of the cell behind a node: its slices are adjacent.
   MENISCUS_HD pbd::Run particles_behind(uint32_t node) const {
-    if (cells.is_slab()) return particles_in_slab(nodes.coordinates(node));
+    if (cells.is_part) return particles_in_slab(nodes.coordinates(node));
     return {cells.start[slices * node], cells.start[slices * (node + 1)]};
   }
 

@@ -33,15 +33,15 @@ inline uint32_t room_for_own(uint32_t needed) {
 template <class D>
 CellOrder Solver<D>::order_among_ranks(const solver_kernels::Prediction& prediction) {
   Particles& p = particles_;
-  search_.set_slab(exchange_->layers_along_y(), exchange_->first_layer(), exchange_->end_layer());
+  search_.set_part(exchange_->region());
   const Aabb extent = table_extent();
   uint32_t count = p.sorted();
   if (needs_own_cells()) {
     const auto layers = exchange_->find_layers(prediction, search_.grid(), count);
-    search_.fit_slab(extent, all_particles_, layers.own);
+    search_.fit_part(extent, all_particles_, {layers.own, layers.own});
     if (!search_.has_own_layers(layers.all)) refuse_layers(layers.all);
   } else {
-    search_.fit_slab(extent, all_particles_, exchange_->layers_within(search_.grid(), extent));
+    search_.fit_part(extent, all_particles_, exchange_->layers_within(search_.grid(), extent));
   }
   if (!has_all_particles_) {
     std::vector<WordArray> arrays = p.source_arrays();
@@ -52,7 +52,7 @@ CellOrder Solver<D>::order_among_ranks(const solver_kernels::Prediction& predict
     count = exchange_->send(prediction, search_.grid(), count, arrays);
   }
   const CellOrder order = search_.sort(prediction, p.source().number.first(count));
-  const auto [owned, ghosts] = search_.count_slab();
+  const auto [owned, ghosts] = search_.count_part();
   rank_ghosts_ = ghosts;
   p.set_sorted(owned + ghosts);
   return order;
@@ -60,7 +60,9 @@ CellOrder Solver<D>::order_among_ranks(const solver_kernels::Prediction& predict
 
 template <class D>
 void Solver<D>::join(Ranks& ranks, const CutPolicy& policy) {
-  exchange_.emplace(device_, ranks, has_layers_along_y(parameters_.gravity));
+  const bool along_y = has_layers_along_y(parameters_.gravity);
+  search_.set_layers(along_y);
+  exchange_.emplace(device_, ranks, along_y);
   exchange_->set_policy(policy);
   exchange_->reserve(particles_.capacity());
   summary_state_ = SummaryState::unknown;  // on some ranks it may be known
@@ -79,7 +81,7 @@ void Solver<D>::cut(Ranks& ranks, const CutPolicy& policy, std::span<const Vec4>
   join(ranks, policy);
   all_particles_ = static_cast<uint32_t>(positions.size());
   exchange_->cut_all(positions, search_.grid());
-  search_.set_slab(exchange_->layers_along_y(), exchange_->first_layer(), exchange_->end_layer());
+  search_.set_part(exchange_->region());
 }
 
 template <class D>

@@ -41,7 +41,8 @@ void add_worlds(CLI::App& run, RunOptions& options) {
                      "Run so many copies of the scene at once, and write a table with a row for each")
           ->type_name("N")
           ->check(CLI::Range(1, 65536).description(""));
-  for (const char* frames : {"--export", "--render", "--video", "--save-every", "--from", "--record"})
+  for (const char* frames :
+       {"--export", "--render", "--video", "--save-every", "--from", "--record", "--cuts"})
     worlds->excludes(frames);
   run.add_option("--vary", options.vary,
                  "With --worlds: a number of the scene that differs among the copies, as in "
@@ -119,6 +120,10 @@ void add_run(CLI::App& app, RunOptions& options, Command& command) {
   run.add_option("--from", options.from, "Continue from a saved state of the same scene")->type_name("FILE");
   run.add_option("--record", options.record, "Record all steps with their hashes, for the command replay")
       ->type_name("FILE");
+  run.add_option("--cuts", options.cuts,
+                 "With mpirun: how the ranks divide the world; auto: as the busiest rank has less to do")
+      ->type_name("auto|slabs|pencils")
+      ->check(CLI::IsMember({"auto", "slabs", "pencils"}).description(""));
   add_worlds(run, options);
   run.add_flag("--quiet", options.quiet, "Print errors alone, and with --json the results");
   add_json(run, options.json);

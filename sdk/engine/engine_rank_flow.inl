@@ -124,7 +124,7 @@ std::vector<DiffuseParticle> DeviceEngine<D>::gather_diffuse() {
   return particles;
 }
 
-/// Each particle belongs to the rank in whose slab it is. All ranks give out the same slots and numbers.
+/// Each particle belongs to the rank in whose region it is. All ranks give out the same slots and numbers.
 template <class D>
 void DeviceEngine<D>::append_among_ranks(const ParticleBatch& batch) {
   const auto count = static_cast<uint32_t>(batch.position.size());

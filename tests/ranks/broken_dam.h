@@ -14,9 +14,10 @@ namespace meniscus::tests {
 
 /// A dam of this width and length (m) that breaks along the axis of the slabs, in two fluids, onto a ball and
 /// a box. On one thread, or on a GPU of that ordinal. `pulls`: with surface tension. `fixed`: with fixed
-/// sums, which GPUs and the pressure grid need. `gridded`: with that grid.
+/// sums, which GPUs and the pressure grid need. `gridded`: with that grid. `height`, m: of both fluids.
 inline World broken_dam(float width, float length = 1.3f, bool pulls = true, std::optional<int> gpu = {},
-                        bool fixed = false, RigidSolver rigid = RigidSolver::bullet, bool gridded = false) {
+                        bool fixed = false, RigidSolver rigid = RigidSolver::bullet, bool gridded = false,
+                        float height = 0.8f) {
   WorldDef def = world_def(gpu ? pbd::DeviceKind::cuda : pbd::DeviceKind::cpu, 0.05f);
   def.cuda_device = gpu;
   if (gpu || fixed || gridded) def.sums = Sums::fixed;
@@ -33,11 +34,12 @@ inline World broken_dam(float width, float length = 1.3f, bool pulls = true, std
   }
   second.rest_density = 500;
   const FluidId a = world.create_fluid(first), b = world.create_fluid(second);
-  world.create_shape(tank({0, 0, 0}, {width, 1, length + 0.7f}));
+  world.create_shape(tank({0, 0, 0}, {width, height + 0.2f, length + 0.7f}));
   world.create_shape(shape(SphereGeometry{0.15f}, {width / 2, 0.1f, length + 0.4f}));
   world.create_shape(shape(BoxGeometry{{0.1f, 0.2f, 0.05f}}, {0.1f, 0.2f, length + 0.1f}));
-  world.add_fluid(block(a, {0, 0, 0}, {width, 0.5f, length}));
-  world.add_fluid(block(b, {0, 0.5f, 0}, {width, 0.8f, length}));
+  const float middle = 0.625f * height;
+  world.add_fluid(block(a, {0, 0, 0}, {width, middle, length}));
+  world.add_fluid(block(b, {0, middle, 0}, {width, height, length}));
   return world;
 }
 

@@ -3,15 +3,17 @@
 # SPDX-License-Identifier: MIT
 """tests/ranks/check.py MPIRUN PROGRAM CHECK [ARGUMENT...]: checks of processes that share a world.
 
-hashes STEPS RANKS...   rank_program has the same hashes alone and on so many ranks, also where cuts move every step
-contents STEPS RANKS... emitters, sinks, probes and bodies do and say the same, bit for bit, with the pressure grid
+hashes STEPS RANKS... [--cuts pencils]   rank_program has the same hashes alone and on so many ranks, also where cuts
+                        move every step
+contents STEPS RANKS... [--cuts pencils] emitters, sinks, probes and bodies do and say the same, bit for bit; with slabs
+                        also the pressure grid
 gpu_hashes STEPS        the hashes are the same on as many GPUs as there are, one a rank
 faults RANKS            a rank that throws, has no memory or is killed ends all: soon, with a message and exit code
 hang RANKS [LIMIT]      so does a rank that stops, within 30 s, or here soon after a limit in s
-memory BYTES WIDTH LENGTH RANKS...   no rank needs more bytes for each of its particles, in a dam of that size
+memory BYTES WIDTH LENGTH RANKS... [OPTION...]   no rank needs more bytes for each of its particles, in a dam of that size
 particles STEPS RANKS   each particle is still there, and once
 momentum RANKS [--bodies]   free drops that meet keep it, also where they meet on a body
-scene FILE RANKS        meniscus run has the same hash alone and on so many ranks
+scene FILE RANKS [OPTION...]   meniscus run has the same hash alone and on so many ranks
 restart FILE            so it has if it goes on from snapshots, on other numbers of ranks; a damaged one is refused"""
 
 import glob
@@ -45,32 +47,42 @@ def output_of(mpirun, ranks, words):
     return done.stdout
 
 
-def check_hashes(mpirun, program, steps, *ranks, on=()):
-    words = [program, steps, "--size", "0.15", "1.3", *on]
-    alone = output_of(mpirun, 1, words)
+def ranks_and_options(arguments):
+    """Numbers of ranks, and behind them words for the program."""
+    first = next((k for k, word in enumerate(arguments) if word.startswith("--")), len(arguments))
+    return list(map(int, arguments[:first])), list(arguments[first:])
+
+
+def expect_the_same(mpirun, words, alone, ranks, options):
+    for count in ranks:
+        for moves in [], ["--move-cuts"]:
+            shared = output_of(mpirun, count, [*words, *options, *moves])
+            assert shared == alone, f"{count} ranks {options} {moves}:\n{shared}\nalone:\n{alone}"
+
+
+def check_hashes(mpirun, program, steps, *arguments):
+    ranks, options = ranks_and_options(arguments)
+    words = [program, steps, "--size", "0.15", "1.3"]
+    alone = output_of(mpirun, 1, [*words, *options])
     assert alone.count("\n") == int(steps) // 10 + 1, alone
-    for count in map(int, ranks):
-        for options in [], ["--move-cuts"]:
-            shared = output_of(mpirun, count, [*words, *options])
-            assert shared == alone, f"{count} ranks {options}:\n{shared}\nalone:\n{alone}"
+    expect_the_same(mpirun, words, alone, ranks, options)
 
 
-def check_contents(mpirun, program, steps, *ranks):
-    words = [program, steps, "--size", "0.15", "1.3", "--flow", "--bodies", "--grid"]
+def check_contents(mpirun, program, steps, *arguments):
+    ranks, options = ranks_and_options(arguments)
+    words = [program, steps, "--size", "0.15", "1.3", "--flow", "--bodies"]
+    words += [] if "pencils" in options else ["--grid"]
     alone = output_of(mpirun, 1, words)
     emitted, taken = re.findall(r"emitted (\d+)", alone)[-2:], re.findall(r"taken (\d+)", alone)[-2:]
     assert min(map(int, emitted + taken)) > 0, alone
-    for count in map(int, ranks):
-        for options in [], ["--move-cuts"]:
-            shared = output_of(mpirun, count, [*words, *options])
-            assert shared == alone, f"{count} ranks {options}:\n{shared}\nalone:\n{alone}"
+    expect_the_same(mpirun, words, alone, ranks, options)
 
 
 def check_gpu_hashes(mpirun, program, steps):
     gpus = len(glob.glob("/dev/nvidia[0-9]*"))
     if gpus < 2:
         sys.exit(77)
-    check_hashes(mpirun, program, steps, *range(2, gpus + 1), on=["--cuda"])
+    check_hashes(mpirun, program, steps, *map(str, range(2, gpus + 1)), "--cuda")
 
 
 def expect_end(mpirun, ranks, words, message, environment=ENVIRONMENT):
@@ -103,9 +115,10 @@ def check_hang(mpirun, program, ranks, limit=None):
         expect_end(mpirun, ranks, words, f"failed: rank {rank} did not arrive", environment)
 
 
-def check_memory(mpirun, program, most, width, length, *ranks):
-    for count in map(int, ranks):
-        output = output_of(mpirun, count, [program, "1", "--size", width, length, "--plain", "--memory"])
+def check_memory(mpirun, program, most, width, length, *arguments):
+    ranks, options = ranks_and_options(arguments)
+    for count in ranks:
+        output = output_of(mpirun, count, [program, "1", "--size", width, length, "--plain", "--memory", *options])
         found = re.findall(r"memory ([\d.]+) bytes of each of (\d+) particles", output)
         print(f"{count} ranks:", ", ".join(f"{bytes} B of each of {particles}" for bytes, particles in found))
         assert len(found) == count and sum(int(particles) for _, particles in found) > 0, output
@@ -153,11 +166,11 @@ def hash_of_scene(mpirun, program, count, scene, folder, *options):
     return results["state_hash"]
 
 
-def check_scene(mpirun, program, scene, ranks):
+def check_scene(mpirun, program, scene, ranks, *options):
     hashes, sets = [], []
     for count in 1, int(ranks):
         with tempfile.TemporaryDirectory() as folder:
-            hashes.append(hash_of_scene(mpirun, program, count, scene, folder, "--export", "vtp"))
+            hashes.append(hash_of_scene(mpirun, program, count, scene, folder, "--export", "vtp", *options))
             frames = os.path.join(folder, "frames")
             end = "vtp" if count == 1 else "pvtp"
             foam = particles_of(frames, f"diffuse_00012.{end}", (b"Points", b"velocity", b"life", b"kind"))

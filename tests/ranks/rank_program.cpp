@@ -6,11 +6,13 @@
 //
 //   --cuda                 each rank has a GPU
 //   --size WIDTH LENGTH    of the dam, in m
+//   --height HEIGHT        of the dam, in m
 //   --plain                without surface tension
 //   --grid                 with the pressure grid
 //   --flow                 with emitters, sinks and probes, which it prints too
 //   --bodies               with bodies, of which it prints what they do
 //   --drop                 instead, drops that meet without gravity; prints the relative error of momentum
+//   --cuts slabs|pencils   where the cuts are; by default slabs
 //   --move-cuts            by two layers with every step
 //   --memory               each rank prints the memory of its device for each particle
 //   --save FILE            saves the world after the steps
@@ -42,10 +44,10 @@ constexpr float frame = 0.008f;  // s
 
 struct Options {
   int steps = 0;
-  float width = 0.3f, length = 1.3f;  // m
+  float width = 0.3f, length = 1.3f, height = 0.8f;  // m
   bool pulls = true, gridded = false, flows = false, floats = false, drops = false, prints_memory = false,
        on_gpus = false;
-  pbd::CutPolicy policy;
+  pbd::CutPolicy policy{.kind = pbd::CutKind::slabs};
   std::string file;
   struct {
     int rank = -1, call = 0;
@@ -57,7 +59,7 @@ World world_of(const Options& options) {
   const std::optional<int> gpu = options.on_gpus ? std::optional(process_of_host()) : std::nullopt;
   if (options.drops) return free_drops(options.floats);
   World world = broken_dam(options.width, options.length, options.pulls, gpu, options.flows || options.floats,
-                           RigidSolver::bullet, options.gridded);
+                           RigidSolver::bullet, options.gridded, options.height);
   if (options.flows) add_flow(world, options.width, options.length);
   if (options.floats) add_bodies(world, options.width, options.length);
   return world;
@@ -124,9 +126,12 @@ Options options_of(int argc, char** argv) {
     if (word == "--flow") options.flows = true;
     if (word == "--bodies") options.floats = true;
     if (word == "--drop") options.drops = true;
-    if (word == "--move-cuts") options.policy = {.every = 1, .most_imbalance = 0, .shift = 2};
+    if (word == "--cuts" && argument(1) == "pencils") options.policy.kind = pbd::CutKind::pencils;
+    if (word == "--move-cuts")
+      options.policy = {.kind = options.policy.kind, .every = 1, .most_imbalance = 0, .shift = 2};
     if (word == "--memory") options.prints_memory = true;
     if (word == "--save") options.file = argument(1);
+    if (word == "--height") options.height = std::strtof(argument(1).c_str(), nullptr);
     if (word == "--size") options.width = std::strtof(argument(1).c_str(), nullptr);
     if (word == "--size") options.length = std::strtof(argument(2).c_str(), nullptr);
     if (word != "--at") continue;

@@ -9,6 +9,7 @@
 #include <functional>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "sdk/world/shared/shared_world.h"
@@ -18,7 +19,16 @@
 
 namespace meniscus::tests {
 
-inline constexpr pbd::CutPolicy restless_cuts{.every = 1, .most_imbalance = 0, .shift = 2};
+using pbd::CutKind;
+
+inline constexpr pbd::CutPolicy slabs{.kind = CutKind::slabs}, pencils{.kind = CutKind::pencils};
+inline constexpr pbd::CutPolicy restless_slabs{
+    .kind = CutKind::slabs, .every = 1, .most_imbalance = 0, .shift = 2};
+inline constexpr pbd::CutPolicy restless_pencils{
+    .kind = CutKind::pencils, .every = 1, .most_imbalance = 0, .shift = 2};
+
+/// So many ranks, and how they cut the world.
+using Sharing = std::vector<std::pair<int, pbd::CutPolicy>>;
 
 /// Makes the same world on each rank. Calls lead(world) on rank 0, and returns the errors of the ranks.
 inline std::vector<std::string> share(int count, const pbd::CutPolicy& policy,
@@ -42,13 +52,14 @@ inline std::vector<std::string> share(int count, const pbd::CutPolicy& policy,
   return errors;
 }
 
-/// What a world tells is the same alone, on 1 and 2 ranks, and on 3 whose cuts move every step.
+/// What a world tells is the same alone and shared: by default on 1 and 2 ranks, and on 3 whose cuts move
+/// with every step.
 inline void expect_the_same(const std::function<World()>& make,
-                            const std::function<std::vector<std::string>(World&)>& told) {
+                            const std::function<std::vector<std::string>(World&)>& told,
+                            const Sharing& sharing = {{1, slabs}, {2, slabs}, {3, restless_slabs}}) {
   World alone = make();
   const std::vector<std::string> expected = told(alone);
-  for (const auto& [ranks, policy] :
-       {std::pair{1, pbd::CutPolicy{}}, std::pair{2, pbd::CutPolicy{}}, std::pair{3, restless_cuts}}) {
+  for (const auto& [ranks, policy] : sharing) {
     SCOPED_TRACE(ranks);
     std::vector<std::string> found;
     const auto errors = share(ranks, policy, make, [&](World& world) { found = told(world); });

@@ -92,6 +92,13 @@ BuiltScene built_of(const RunOptions& options, const Scene& given, bool is_share
                                                std::to_string(scene.frames) + "; --frames takes a later one");
 }
 
+pbd::CutPolicy cuts_of(const RunOptions& options) {
+  pbd::CutPolicy policy;
+  if (options.cuts == "slabs") policy.kind = pbd::CutKind::slabs;
+  if (options.cuts == "pencils") policy.kind = pbd::CutKind::pencils;
+  return policy;
+}
+
 class Run {
  public:
   /// `ranks`: those that share the world, of which this is the first; none where it is alone.
@@ -104,7 +111,7 @@ class Run {
         writes_pieces_(ranks && exports(options, "vtp")),
         folder_(folder_of(options, scene_)),
         built_(built_of(options, scene_, ranks != nullptr)),
-        shared_(ranks ? std::make_unique<SharedWorld>(built_.world, *ranks) : nullptr),
+        shared_(ranks ? std::make_unique<SharedWorld>(built_.world, *ranks, cuts_of(options)) : nullptr),
         reached_(frame_of(built_.world, scene_)),
         save_every_(options.save_every),
         records_(!options.record.empty()),
@@ -284,7 +291,7 @@ class Run {
 int follow(const RunOptions& options, pbd::Ranks& ranks) {
   const Scene scene = scene_of(options);
   BuiltScene built = built_of(options, scene, true);
-  SharedWorld shared(built.world, ranks);
+  SharedWorld shared(built.world, ranks, cuts_of(options));
   follow_and_write(shared, ranks, folder_of(options, scene));
   return success;
 }

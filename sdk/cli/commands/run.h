@@ -24,6 +24,7 @@ struct RunOptions {
   std::optional<int> save_every;  ///< frames from one snapshot to the next
   std::string from;               ///< a snapshot to continue from; empty: the start
   std::string record;             ///< the file for a recording; empty: none
+  std::string cuts = "auto";      ///< of a world that ranks share
   std::optional<int> worlds;      ///< as many copies, as a batch
   std::vector<std::string> vary;  ///< with `worlds`: path=low:high of what differs among them
   uint64_t seed = 1;              ///< of these values

@@ -53,6 +53,14 @@ void check_sums(const WorldTables& world, const WorldDef& def) {
   });
 }
 
+/// The pressure grid has its nodes in layers of slabs.
+pbd::CutKind cut_kind(pbd::CutKind kind, const WorldDef& def) {
+  if (def.density.solver != DensitySolver::grid) return kind;
+  if (kind == pbd::CutKind::pencils)
+    throw Error(ErrorCode::invalid_argument, "a world with the pressure grid is cut into slabs, not pencils");
+  return pbd::CutKind::slabs;
+}
+
 }  // namespace
 
 void SharedWorld::check(const World& world) {
@@ -84,6 +92,7 @@ SharedWorld::SharedWorld(World& world, pbd::Ranks& ranks, const pbd::CutPolicy& 
         check(world);
         if (world_.device.kind == "cuda") ranks.use_gpu(world_.def.cuda_device.value_or(0));
         pbd::CutPolicy own = policy;
+        own.kind = cut_kind(policy.kind, world_.def);
         own.expects_more |= world_.emitters.size() > 0;
         world_.with_all().share(ranks, own);
         world_.shared_by = static_cast<uint32_t>(ranks.count());

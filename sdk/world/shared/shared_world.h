@@ -23,7 +23,7 @@ struct ParticlesOfRank {
 };
 
 /// Shares a world. All ranks first build the same world by the same calls. Then each makes this object, which
-/// keeps the particles in the slab of its rank. Rank 0 leads: it calls steps and read-outs of its world,
+/// keeps the particles in the region of its rank. Rank 0 leads: it calls steps and read-outs of its world,
 /// which are those of all ranks. The others follow(). Calls that would change the world in another way throw
 /// Error(invalid_argument) and name themselves.
 ///
@@ -40,7 +40,7 @@ class SharedWorld {
   static void hold_back(World& world);
 
   /// check() comes first. Throws Error(capacity) if the fluid has fewer than 3 layers of cells a rank, and no
-  /// emitter makes more.
+  /// emitter makes more. Throws Error(invalid_argument) if pencils are asked for with the pressure grid.
   /// `world` may be moved meanwhile. It and `ranks` must outlive this.
   SharedWorld(World& world, pbd::Ranks& ranks, const pbd::CutPolicy& policy = {});
   /// On rank 0: ends the others' follow().

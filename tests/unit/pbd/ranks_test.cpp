@@ -1,15 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Ranks that are threads: messages, failures, and how layers are divided among ranks.
+// Ranks that are threads: messages and failures.
 #include <gtest/gtest.h>
 #include <meniscus/error.h>
 
 #include <functional>
-#include <numeric>
 #include <thread>
 
-#include "pbd/ranks/slabs.h"
+#include "pbd/ranks/ranks.h"
 #include "tests/ranks/thread_ranks.h"
 
 namespace meniscus::pbd {
@@ -60,57 +59,6 @@ TEST(Ranks, AFailureEndsTheCallsOfTheOthersAndNamesTheRank) {
       EXPECT_STREQ(error.what(), "rank 2 failed: out of paper");
     }
   });
-}
-
-std::vector<uint64_t> of_slabs(const Slabs& slabs, int32_t first, std::span<const uint64_t> counts) {
-  std::vector<uint64_t> sums(static_cast<size_t>(slabs.ranks()));
-  for (size_t k = 0; k < counts.size(); ++k)
-    sums[static_cast<size_t>(slabs.owner(first + static_cast<int32_t>(k)))] += counts[k];
-  return sums;
-}
-
-TEST(Slabs, EvenLayersGiveEvenCounts) {
-  const std::vector<uint64_t> counts(40, 100);
-  const Slabs slabs(-7, counts, 4);
-  EXPECT_EQ(of_slabs(slabs, -7, counts), std::vector<uint64_t>(4, 1000));
-  EXPECT_DOUBLE_EQ(slabs.imbalance(-7, counts), 1);
-}
-
-TEST(Slabs, EachLayerHasOneOwnerAndTheOuterSlabsHaveNoEnd) {
-  const std::vector<uint64_t> counts(12, 1);
-  const Slabs slabs(0, counts, 3);
-  EXPECT_EQ(slabs.owner(-1'000'000'000), 0);
-  EXPECT_EQ(slabs.owner(1'000'000'000), 2);
-  for (int32_t layer = -20; layer < 40; ++layer) {
-    const int owner = slabs.owner(layer);
-    EXPECT_GE(layer, slabs.first(owner));
-    EXPECT_LT(layer, slabs.end(owner));
-  }
-}
-
-TEST(Slabs, ACrowdedEndStillLeavesEachRankThreeLayers) {
-  for (const bool at_end : {false, true}) {
-    std::vector<uint64_t> counts(13, 1);
-    (at_end ? counts.back() : counts.front()) = 100'000;
-    const Slabs slabs(5, counts, 4);
-    int32_t last = 5;
-    for (const int32_t cut : slabs.cuts()) {
-      EXPECT_GE(cut - last, Slabs::least_layers);
-      last = cut;
-    }
-    EXPECT_GE(5 + 13 - last, Slabs::least_layers);
-  }
-}
-
-TEST(Slabs, TooFewLayersAreRefused) {
-  const std::vector<uint64_t> counts(8, 1);
-  try {
-    Slabs(0, counts, 3);
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ErrorCode::capacity);
-    EXPECT_NE(std::string(error.what()).find("8 layers"), std::string::npos) << error.what();
-  }
 }
 
 }  // namespace

@@ -102,7 +102,7 @@ TEST(SharedContents, FlowAndBodiesAreThereInTheTest) {
 TEST(SharedContents, GoOnFromAFileAloneAndOnOtherRanks) {
   const std::string file = testing::TempDir() + "/shared_contents.menisnap";
   std::vector<std::string> expected;
-  auto errors = share(3, restless_cuts, dam_with_all, [&](World& world) {
+  auto errors = share(3, restless_slabs, dam_with_all, [&](World& world) {
     tests::run(world, 12, frame);
     world.save(file);
     expected = told(world, 10);
@@ -123,7 +123,7 @@ TEST(SharedContents, EachRankKnowsTheIdsOfItsParticles) {
   std::vector<Vec3> positions;
   const auto run = [&](int r) {
     World world = dam_with_flow();
-    SharedWorld shared(world, *ranks[static_cast<size_t>(r)], restless_cuts);
+    SharedWorld shared(world, *ranks[static_cast<size_t>(r)], restless_slabs);
     if (shared.leads()) {
       tests::run(world, 10, frame);
       ids.assign(world.ids().begin(), world.ids().end());

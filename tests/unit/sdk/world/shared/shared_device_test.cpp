@@ -33,7 +33,7 @@ class SharedOnDevice : public OnDevice {
   static void expect_the_same(const std::function<World()>& make) {
     World alone = make();
     const std::vector<uint64_t> expected = hashes(alone);
-    for (const auto& [ranks, policy] : {std::pair{2, pbd::CutPolicy{}}, std::pair{3, restless_cuts}}) {
+    for (const auto& [ranks, policy] : {std::pair{2, slabs}, std::pair{3, restless_slabs}}) {
       SCOPED_TRACE(ranks);
       std::vector<uint64_t> found;
       const auto errors = share(ranks, policy, make, [&](World& world) { found = hashes(world); });

@@ -109,7 +109,7 @@ TEST_P(SharedFlow, SprayGoesOnFromAFile) {
   const std::string file = testing::TempDir() + "/shared_flow.menisnap";
   std::vector<std::string> expected;
   auto errors = share(
-      3, restless_cuts, [&] { return surf(1u << 14); },
+      3, restless_slabs, [&] { return surf(1u << 14); },
       [&](World& world) {
         tests::run(world, 10, frame);
         world.save(file);
@@ -124,7 +124,7 @@ TEST_P(SharedFlow, SprayGoesOnFromAFile) {
   for (const std::string& error : errors) EXPECT_EQ(error, "");
 }
 
-TEST_P(SharedFlow, EachRankHasTheSprayInItsSlab) {
+TEST_P(SharedFlow, EachRankHasTheSprayInItsRegion) {
   const auto ranks = make_thread_ranks(2);
   std::vector<ParticlesOfRank> own(2);
   std::size_t all = 0;

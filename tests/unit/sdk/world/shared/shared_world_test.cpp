@@ -46,7 +46,7 @@ Result alone(int steps) {
   return result_of(world, steps);
 }
 
-Result together(int count, int steps, const pbd::CutPolicy& policy = {}) {
+Result together(int count, int steps, const pbd::CutPolicy& policy = slabs) {
   Result result;
   const auto errors = share(
       count, policy, [] { return broken_dam(wide); },
@@ -76,7 +76,7 @@ TEST(SharedWorld, HasTheSameBitsOnOneTwoAndThreeRanks) {
 }
 
 TEST(SharedWorld, HasTheSameBitsWhereCutsMoveWithEveryStep) {
-  expect_equal(together(3, 20, restless_cuts), alone(20));
+  expect_equal(together(3, 20, restless_slabs), alone(20));
 }
 
 /// MENISCUS_RANK_STEPS=7500 is a minute.
@@ -85,7 +85,7 @@ TEST(SharedWorld, KeepsEachParticleOnce) {
   const int steps = set ? std::atoi(set) : 60;
   std::vector<ParticleId> ids;
   const auto errors = share(
-      3, restless_cuts, [] { return broken_dam(narrow); },
+      3, restless_slabs, [] { return broken_dam(narrow); },
       [&](World& world) {
         const std::size_t count = world.particle_count();
         for (int k = 0; k < steps; ++k) world.step(frame);
@@ -160,7 +160,7 @@ TEST(SharedWorld, GoesOnFromAFileAloneAndOnOtherRanks) {
   const std::string file = testing::TempDir() + "/shared.menisnap";
   uint64_t expected = 0;
   auto errors = share(
-      3, restless_cuts, [] { return broken_dam(narrow); },
+      3, restless_slabs, [] { return broken_dam(narrow); },
       [&](World& world) {
         tests::run(world, 5, frame);
         world.save(file);
@@ -231,7 +231,7 @@ TEST(SharedWorld, RefusesOtherCallsByName) {
 
 TEST(SharedWorld, NeedsThreeLayersARank) {
   const auto errors = share(
-      8, {}, [] { return broken_dam(narrow); }, [](World&) {});
+      8, slabs, [] { return broken_dam(narrow); }, [](World&) {});
   for (const std::string& error : errors)
     EXPECT_NE(error.find("8 ranks need 3 each"), std::string::npos) << error;
 }

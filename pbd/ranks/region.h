@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: MIT
+//
+// The part of a shared world that belongs to one rank.
+#pragma once
+
+#include "pbd/device/scalar.h"
+
+namespace meniscus::pbd {
+
+/// A rectangle of columns. A column is all cells with these y and z. The layers [first, end) of each axis are
+/// in it. By default all columns are.
+struct Region {
+  /// Outside of all layers that a grid has.
+  static constexpr int32_t unbounded = int32_t{1} << 30;
+
+  int32_t first_y = -unbounded, end_y = unbounded, first_z = -unbounded, end_z = unbounded;
+
+  MENISCUS_HD bool contains(int32_t y, int32_t z) const {
+    return (is_within(y, first_y, end_y) & is_within(z, first_z, end_z)) != 0;
+  }
+  /// Whether it contains the column or one of the eight beside it.
+  MENISCUS_HD bool is_near(int32_t y, int32_t z) const { return grown(1).contains(y, z); }
+  /// Whether it contains the column and the eight beside it.
+  MENISCUS_HD bool is_inside(int32_t y, int32_t z) const { return grown(-1).contains(y, z); }
+  /// With so many more layers on each side.
+  MENISCUS_HD Region grown(int32_t layers) const {
+    return {first_y - layers, end_y + layers, first_z - layers, end_z + layers};
+  }
+
+  // Whether it ends on this axis.
+  MENISCUS_HD bool is_cut_along_y() const { return first_y != -unbounded || end_y != unbounded; }
+  MENISCUS_HD bool is_cut_along_z() const { return first_z != -unbounded || end_z != unbounded; }
+
+ private:
+  MENISCUS_HD static uint32_t is_within(int32_t layer, int32_t first, int32_t end) {
+    const auto from = static_cast<uint32_t>(first);
+    return static_cast<uint32_t>(layer) - from < static_cast<uint32_t>(end) - from;
+  }
+};
+
+}  // namespace meniscus::pbd
