@@ -75,27 +75,27 @@ struct GridView {
   }
   /// The key of a row's first cell.
   MENISCUS_HD uint32_t row(uint32_t y, uint32_t z) const {
-    return part.contains(static_cast<int32_t>(y), static_cast<int32_t>(z)) ? own_row(y, z) : ghost_row(y, z);
+    if (!is_part) return own_row(y, z);
+    // The layer below the part wraps around.
+    const uint32_t from_y = y - static_cast<uint32_t>(part.first_y),
+                   from_z = z - static_cast<uint32_t>(part.first_z);
+    if (from_z >= part.layers_z()) return cell_count() + ghost_row(from_z != ~0u, y, bits_y);
+    if (from_y >= part.layers_y())
+      return cell_count() + ghosts_along_z() + ghost_row(from_y != ~0u, z, bits_z);
+    return own_row(y, z);
   }
-  /// The same of a row in the part.
+
+ private:
   MENISCUS_HD uint32_t own_row(uint32_t y, uint32_t z) const {
     const uint32_t strip = (y & ((1u << bits_y) - 1)) >> strip_bits, in_strip = y & ((1u << strip_bits) - 1);
     const uint32_t row_layer = (strip << bits_z) + (z & ((1u << bits_z) - 1));
     return ((row_layer << strip_bits) + in_strip) << bits_x;
   }
-
- private:
   /// The cells of two layers, below and above the part.
   MENISCUS_HD uint32_t ghosts_along_z() const { return part.is_cut_along_z() ? 2u << (bits_x + bits_y) : 0; }
   MENISCUS_HD uint32_t ghosts_along_y() const { return part.is_cut_along_y() ? 2u << (bits_x + bits_z) : 0; }
-  /// The same of a row next to the part.
-  MENISCUS_HD uint32_t ghost_row(uint32_t y, uint32_t z) const {
-    const bool is_below = static_cast<int32_t>(z) < part.first_z;
-    if (is_below || static_cast<int32_t>(z) >= part.end_z)
-      return cell_count() + ghost_cell(!is_below, y, bits_y);
-    return cell_count() + ghosts_along_z() + ghost_cell(static_cast<int32_t>(y) >= part.first_y, z, bits_z);
-  }
-  MENISCUS_HD uint32_t ghost_cell(bool is_above, uint32_t across, uint32_t bits) const {
+  /// In the cells of two layers: the row that is so far across.
+  MENISCUS_HD uint32_t ghost_row(bool is_above, uint32_t across, uint32_t bits) const {
     return ((static_cast<uint32_t>(is_above) << bits) + (across & ((1u << bits) - 1))) << bits_x;
   }
 };
@@ -121,7 +121,6 @@ class Surroundings {
     above_y2_ = away2(1 - y);
     below_z2_ = away2(z);
     above_z2_ = away2(1 - z);
-    is_inside_ = grid.part.is_inside(cell.y, cell.z);
     const Cells most = cut(0);
     wraps_ = most.first + most.count > width();
   }
@@ -150,8 +149,7 @@ class Surroundings {
     const float z2 = dz == 1 ? 0.0f : dz == 0 ? below_z2_ : above_z2_;
     const Cells cells = cut(y2 + z2);
     const uint32_t end = cells.first + cells.count, wrapped = end > width() ? end - width() : 0;
-    const uint32_t row_cell = is_inside_ ? grid_.own_row(y_ + dy, z_ + dz) : grid_.row(y_ + dy, z_ + dz);
-    const uint32_t base = first_cell_ + row_cell;
+    const uint32_t base = first_cell_ + grid_.row(y_ + dy, z_ + dz);
     return {load(grid_.start, base + (second ? 0 : cells.first)),
             load(grid_.start, base + (second ? wrapped : end - wrapped))};
   }
@@ -181,8 +179,7 @@ class Surroundings {
   uint32_t first_cell_;
   float slack_, x_, below_y2_, above_y2_, below_z2_, above_z2_;
   uint32_t first_, y_, z_;
-  bool wraps_;      // the table wraps around within reach
-  bool is_inside_;  // all rows are in the part of this rank
+  bool wraps_;  // the table wraps around within reach
 };
 
 /// The runs of sorted particles that together hold every particle within reach of a point.

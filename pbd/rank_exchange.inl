@@ -11,7 +11,6 @@
 #include "pbd/device/access.h"
 #include "pbd/rank_exchange.h"
 #include "pbd/rank_exchange_kernels.h"
-#include "pbd/ranks/place_cuts.inl"
 
 namespace meniscus::pbd {
 

@@ -4,7 +4,9 @@
 // The part of a shared world that belongs to one rank.
 #pragma once
 
-#include "pbd/device/scalar.h"
+#include <cstdint>
+
+#include "pbd/device/base/qualifiers.h"
 
 namespace meniscus::pbd {
 
@@ -17,7 +19,8 @@ struct Region {
   int32_t first_y = -unbounded, end_y = unbounded, first_z = -unbounded, end_z = unbounded;
 
   MENISCUS_HD bool contains(int32_t y, int32_t z) const {
-    return (is_within(y, first_y, end_y) & is_within(z, first_z, end_z)) != 0;
+    return static_cast<uint32_t>(y) - static_cast<uint32_t>(first_y) < layers_y() &&
+           static_cast<uint32_t>(z) - static_cast<uint32_t>(first_z) < layers_z();
   }
   /// Whether it contains the column or one of the eight beside it.
   MENISCUS_HD bool is_near(int32_t y, int32_t z) const { return grown(1).contains(y, z); }
@@ -28,15 +31,15 @@ struct Region {
     return {first_y - layers, end_y + layers, first_z - layers, end_z + layers};
   }
 
-  // Whether it ends on this axis.
+  // On each axis: the number of layers, and whether it ends there.
+  MENISCUS_HD uint32_t layers_y() const {
+    return static_cast<uint32_t>(end_y) - static_cast<uint32_t>(first_y);
+  }
+  MENISCUS_HD uint32_t layers_z() const {
+    return static_cast<uint32_t>(end_z) - static_cast<uint32_t>(first_z);
+  }
   MENISCUS_HD bool is_cut_along_y() const { return first_y != -unbounded || end_y != unbounded; }
   MENISCUS_HD bool is_cut_along_z() const { return first_z != -unbounded || end_z != unbounded; }
-
- private:
-  MENISCUS_HD static uint32_t is_within(int32_t layer, int32_t first, int32_t end) {
-    const auto from = static_cast<uint32_t>(first);
-    return static_cast<uint32_t>(layer) - from < static_cast<uint32_t>(end) - from;
-  }
 };
 
 }  // namespace meniscus::pbd

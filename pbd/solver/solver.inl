@@ -20,6 +20,7 @@
 #include "pbd/seam_ghosts.inl"
 #include "pbd/solver.h"
 #include "pbd/solver/over_ranks.inl"
+#include "pbd/solver/place_cuts.inl"
 #include "pbd/solver/relax.inl"
 #include "pbd/solver/room.inl"
 #include "pbd/solver/step.inl"

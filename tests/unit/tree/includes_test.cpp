@@ -39,7 +39,7 @@ const Edges folders{
     {"pbd/device/cpu", {"pbd/device", "pbd/device/base", "pbd/math"}},
     {"pbd/device/cuda", {"pbd/device", "pbd/device/base", "pbd/math"}},
     {"pbd/state", {"pbd/device", "pbd/device/base", "pbd/math"}},
-    {"pbd/ranks", {}},
+    {"pbd/ranks", {"pbd/device/base"}},
     {"pbd",
      {"pbd/device", "pbd/device/base", "pbd/device/cpu", "pbd/device/cuda", "pbd/math", "pbd/ranks",
       "pbd/state"}},
