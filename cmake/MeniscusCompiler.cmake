@@ -45,14 +45,8 @@ option(MENISCUS_MERGE_SOURCES "Compile small sources eight at a time: a first bu
 function(meniscus_library name)
   cmake_parse_arguments(arg "INTERNAL;MERGED" "" "SOURCES;CUDA;LINK" ${ARGN})
   set(kind)
-  set(cuda_runtime Static)
-  set(cudart CUDA::cudart_static)  # for those who link us without knowing of CUDA
   if(arg_INTERNAL)
     set(kind STATIC)
-  endif()
-  if(BUILD_SHARED_LIBS)
-    set(cuda_runtime Shared)  # one runtime for all the libraries: its errors are kept in it
-    set(cudart CUDA::cudart)
   endif()
   add_library(${name} ${kind} ${arg_SOURCES})
   if(arg_MERGED AND MENISCUS_MERGE_SOURCES)
@@ -63,13 +57,14 @@ function(meniscus_library name)
   endif()
   # No definition of the library's own, which would compile shared objects a second time under ccache.
   set_target_properties(${name} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}
-    DEFINE_SYMBOL "" INSTALL_RPATH "$ORIGIN" CUDA_RUNTIME_LIBRARY ${cuda_runtime})
+    DEFINE_SYMBOL "" INSTALL_RPATH "$ORIGIN")
   target_link_libraries(${name} PUBLIC ${arg_LINK} PRIVATE $<BUILD_INTERFACE:meniscus_flags>)
   target_compile_features(${name} PUBLIC cxx_std_20)
   target_include_directories(${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/sdk/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   if(MENISCUS_CUDA)
     target_sources(${name} PRIVATE ${arg_CUDA})
-    target_link_libraries(${name} PRIVATE $<LINK_ONLY:${cudart}>)  # nvcc finds its headers by itself
+    # For those who link us without knowing of CUDA. nvcc finds its headers by itself.
+    target_link_libraries(${name} PRIVATE $<LINK_ONLY:${meniscus_cudart}>)
   endif()
 endfunction()

@@ -82,6 +82,13 @@ option(MENISCUS_CUDA "Build the CUDA device" ${cuda_default})
 
 if(MENISCUS_CUDA)
   find_package(CUDAToolkit REQUIRED)
+  # One runtime for all libraries, and for programs with kernels: it keeps errors, and knows the kernels linked with it.
+  if(BUILD_SHARED_LIBS)
+    set(CMAKE_CUDA_RUNTIME_LIBRARY Shared)
+    set(meniscus_cudart CUDA::cudart)
+  else()
+    set(meniscus_cudart CUDA::cudart_static)
+  endif()
   # C++ sources know of CUDA only where they say so. The others are compiled as without it, so a build for both takes their
   # objects from the compiler's cache.
   target_compile_definitions(meniscus_flags INTERFACE $<$<COMPILE_LANGUAGE:CUDA>:MENISCUS_HAS_CUDA=1>)
