@@ -47,7 +47,8 @@ BAD = ("meniscus.World(device='gpu')", "meniscus.World(spacing=1)", "meniscus.Wo
 
 def mypy(*arguments):
     package = pathlib.Path(meniscus.__file__).parent
-    return subprocess.run([sys.executable, "-m", "mypy", "--strict", "--no-error-summary", *map(str, arguments)],
+    # -P: what lies in the working folder is no module.
+    return subprocess.run([sys.executable, "-P", "-m", "mypy", "--strict", "--no-error-summary", *map(str, arguments)],
                           capture_output=True, text=True, env={**os.environ, "MYPYPATH": str(package.parent)},
                           cwd=tempfile.gettempdir())
 
