@@ -23,10 +23,11 @@ MENISCUS_HD inline float mean_pressure(const FilmTriangle& t, View<const float> 
 struct WholeImpulse {
   int64_t part[6];  ///< force, then torque, in film_tuning::unit
 
+  /// What is not a number counts as the least one, so that the step which has it fails.
   MENISCUS_HD static int64_t whole(float x) {
     constexpr double most = 0x1p61;
     const double units = double{x} * (1 / film_tuning::unit);
-    return static_cast<int64_t>(units > most ? most : units < -most ? -most : units);
+    return static_cast<int64_t>(units > most ? most : units >= -most ? units : -most);
   }
   MENISCUS_HD void add(Vec3 force, Vec3 torque) {
     const float parts[] = {force.x, force.y, force.z, torque.x, torque.y, torque.z};
