@@ -13,6 +13,19 @@
 
 namespace meniscus::tests {
 
+/// Where some ranks have nothing at first.
+inline World jet_into_an_empty_tank(const WorldDef& def) {
+  World world(def);
+  world.create_shape(tank({0, 0, 0}, {0.4f, 1, 2}));
+  EmitterDef jet;
+  jet.fluid = world.create_fluid({});
+  jet.opening = DiscOpening{0.1f};
+  jet.pose = {{0.2f, 0.4f, 0.3f}, {0.70710678f, 0, 0, 0.70710678f}};  // out along z
+  jet.speed = 4;
+  world.create_emitter(jet);
+  return world;
+}
+
 /// Adds to a dam of this width and length (m): a jet along the axis of the slabs, one under water, sinks in
 /// the dam and where it breaks to, and a probe of each kind.
 inline void add_flow(World& world, float width, float length) {

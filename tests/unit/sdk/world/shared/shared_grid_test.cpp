@@ -6,6 +6,7 @@
 
 #include "tests/ranks/bodies.h"
 #include "tests/ranks/broken_dam.h"
+#include "tests/ranks/flow.h"
 #include "tests/ranks/share.h"
 
 namespace meniscus::tests {
@@ -69,19 +70,7 @@ TEST_P(SharedGrid, APoolUnderGravityAlongZHasTheSameBits) {
 
 /// Some ranks have nothing at first.
 TEST_P(SharedGrid, AJetIntoAnEmptyTankHasTheSameBits) {
-  expect_the_same(
-      [&] {
-        World world(def());
-        world.create_shape(tank({0, 0, 0}, {0.4f, 1, 2}));
-        EmitterDef jet;
-        jet.fluid = world.create_fluid({});
-        jet.opening = DiscOpening{0.1f};
-        jet.pose = {{0.2f, 0.4f, 0.3f}, {0.70710678f, 0, 0, 0.70710678f}};  // out along z
-        jet.speed = 4;
-        world.create_emitter(jet);
-        return world;
-      },
-      45);
+  expect_the_same([&] { return jet_into_an_empty_tank(def()); }, 45);
 }
 
 /// A layer far away shares its entries of the table with others, which are on other ranks.

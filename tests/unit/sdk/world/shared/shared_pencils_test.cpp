@@ -149,19 +149,7 @@ TEST_P(SharedPencils, FluidFarApartHasTheSameBits) {
 
 /// Some ranks have nothing at first.
 TEST_P(SharedPencils, AJetIntoAnEmptyTankHasTheSameBits) {
-  expect_the_same(
-      [&] {
-        World world(def());
-        world.create_shape(tank({0, 0, 0}, {0.4f, 1, 2}));
-        EmitterDef jet;
-        jet.fluid = world.create_fluid({});
-        jet.opening = DiscOpening{0.1f};
-        jet.pose = {{0.2f, 0.4f, 0.3f}, {0.70710678f, 0, 0, 0.70710678f}};  // out along z
-        jet.speed = 4;
-        world.create_emitter(jet);
-        return world;
-      },
-      hashes_told<40>, {{4, pencils}});
+  expect_the_same([&] { return jet_into_an_empty_tank(def()); }, hashes_told<40>, {{4, pencils}});
 }
 
 TEST_P(SharedPencils, GoOnFromAFileAloneAndInSlabs) {
