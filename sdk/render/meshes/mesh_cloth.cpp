@@ -35,7 +35,7 @@ class ClothSurface {
     const ClothDetail& detail = details_[frame_.pieces[i]];
     for (std::size_t k = 0; k < 3; ++k) {
       const uint32_t v = frame_.triangles[i][k];
-      Vertex& vertex = all_.emplace_back(frame_.vertices[v], frame_.normals[v], color(i, v));
+      Vertex& vertex = all_.emplace_back(Vertex{frame_.vertices[v], frame_.normals[v], color(i, v)});
       if (frame_.texture.empty() || !triangle_colors_.empty()) continue;
       const TexturePoint at = frame_.texture[3 * i + k];
       vertex.place = {at.u * detail.threads[0], at.v * detail.threads[1]};
