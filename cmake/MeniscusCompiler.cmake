@@ -35,6 +35,10 @@ if(MENISCUS_SANITIZE)
   target_compile_options(meniscus_flags INTERFACE
     $<$<COMPILE_LANGUAGE:CXX>:-fsanitize=${MENISCUS_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all>)
   target_link_options(meniscus_flags INTERFACE -fsanitize=${MENISCUS_SANITIZE})
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    target_compile_options(meniscus_flags INTERFACE
+      $<$<COMPILE_LANGUAGE:CXX>:-fsanitize-ignorelist=${PROJECT_SOURCE_DIR}/tests/sanitizers/ignored.txt>)
+  endif()
 endif()
 
 option(MENISCUS_MERGE_SOURCES "Compile small sources eight at a time: a first build is faster, and one after an edit slower" OFF)
