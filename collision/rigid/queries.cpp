@@ -104,7 +104,8 @@ class NearestHit final : public btBroadphaseRayCallback {
   btVector3 from_, to_;
 };
 
-/// Collects the solids that overlap a probe.
+/// Collects the solids that overlap a probe. Bullet leaks what it made for a pair if a callback throws, so
+/// the list takes its memory as Bullet does, from a reserve (collision/mesh/bullet_memory.h).
 class Overlapping final : public btCollisionWorld::ContactResultCallback {
  public:
   explicit Overlapping(const btCollisionObject& probe) : probe_(&probe) {}
@@ -118,13 +119,13 @@ class Overlapping final : public btCollisionWorld::ContactResultCallback {
     return 0;
   }
 
-  std::vector<const btCollisionObject*> found;
+  btAlignedObjectArray<const btCollisionObject*> found;
 
  private:
   const btCollisionObject* probe_;
 };
 
-/// Collects how deep each solid overlaps a body that may collide with it.
+/// Collects how deep each solid overlaps a body that may collide with it, in memory as `Overlapping`.
 class DeepestOverlaps final : public btCollisionWorld::ContactResultCallback {
  public:
   explicit DeepestOverlaps(btRigidBody& body) : body_(body) {
@@ -140,13 +141,18 @@ class DeepestOverlaps final : public btCollisionWorld::ContactResultCallback {
                            const btCollisionObjectWrapper* b, int, int) override {
     const btCollisionObject* other =
         a->getCollisionObject() == &body_ ? b->getCollisionObject() : a->getCollisionObject();
-    auto at = std::ranges::find(depths, other, &std::pair<const btCollisionObject*, float>::first);
-    if (at == depths.end()) at = depths.insert(at, {other, 0.0f});
-    at->second = std::max(at->second, -point.getDistance());
+    int n = 0;
+    while (n < depths.size() && depths[n].solid != other) ++n;
+    if (n == depths.size()) depths.push_back({other, 0.0f});
+    depths[n].depth = std::max(depths[n].depth, -point.getDistance());
     return 0;
   }
 
-  std::vector<std::pair<const btCollisionObject*, float>> depths;
+  struct Depth {
+    const btCollisionObject* solid;
+    float depth;
+  };
+  btAlignedObjectArray<Depth> depths;
 
  private:
   btRigidBody& body_;
@@ -245,7 +251,8 @@ std::vector<RigidOverlap> RigidWorld::deep_overlaps(float fraction) const {
     if (body.kinematic) return;
     DeepestOverlaps deepest(*body.bullet);
     impl_->dynamics.contactTest(body.bullet.get(), deepest);
-    for (const auto& [other, depth] : deepest.depths) {
+    for (int k = 0; k < deepest.depths.size(); ++k) {
+      const auto& [other, depth] = deepest.depths[k];
       const RigidRef solid = impl_->solid_of(other);
       const bool seen = solid.is_body && !impl_->body(solid.number).kinematic && solid.number < n;
       const float size = solid.is_body ? std::min(body.shape.radius, impl_->body(solid.number).shape.radius)
@@ -285,7 +292,7 @@ std::vector<RigidRef> RigidWorld::overlaps(const Pose& pose, Vec3 half_extents, 
     if (is_within(*objects[i]->getCollisionShape(), local)) overlapping.found.push_back(objects[i]);
   }
   std::vector<RigidRef> found;
-  for (const btCollisionObject* object : overlapping.found) found.push_back(impl_->solid_of(object));
+  for (int i = 0; i < overlapping.found.size(); ++i) found.push_back(impl_->solid_of(overlapping.found[i]));
   std::ranges::sort(found, {}, rank);
   const auto same = [](RigidRef a, RigidRef b) { return rank(a) == rank(b); };
   found.erase(std::unique(found.begin(), found.end(), same), found.end());
