@@ -56,7 +56,7 @@ TEST_F(ProgramTest, ARecordedRunIsReplayed) {
 
 /// Steps of it last so long that a signal comes within one.
 constexpr const char* slow = R"({
-  "name": "slow", "frame_time": 0.01, "frames": 1000,
+  "name": "slow", "frame_time": 0.01, "frames": 100000,
   "world": { "particle_spacing": 0.1, "substeps": 25, "iterations": 4, "threads": 1 },
   "fluids": [{ "name": "water" }],
   "shapes": [{ "name": "floor", "geometry": { "type": "plane" } }],
