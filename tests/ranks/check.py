@@ -26,10 +26,12 @@ import sys
 import tempfile
 import time
 
+UNSEEN_BY_TSAN = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../sanitizers/unseen.txt")
 ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
                    OMPI_MCA_btl_vader_single_copy_mechanism="none", OMPI_MCA_mpi_yield_when_idle="1",
                    # Of sanitizers: Open MPI 4.1 leaks, and takes two of its own locks in either order.
-                   LSAN_OPTIONS="detect_leaks=0", TSAN_OPTIONS="detect_deadlocks=0")
+                   LSAN_OPTIONS="detect_leaks=0",
+                   TSAN_OPTIONS=f"detect_deadlocks=0:suppressions={UNSEEN_BY_TSAN}")
 MOST_SECONDS = 30  # from a fault to the end of all processes
 MOST_MOMENTUM = 1e-6  # of what both drops would have in one direction
 
