@@ -236,7 +236,8 @@ template <class D>
 void SelfContacts<D>::make_room() {
   using namespace self_contact_kernels;
   const bool is_complete = lists_had_room();
-  const auto more = [&](uint32_t found) { return worlds_ * size_t{found + found / 8}; };
+  // Folding cloth needs more in each step. A repeated step costs as much as the step itself.
+  const auto more = [&](uint32_t found) { return worlds_ * size_t{found + found / 2}; };
   const auto lacks = [&](uint32_t found, size_t room) { return found > room_of_world(room); };
   if (lacks(found(group_pairs), group_pairs_.size())) group_pairs_.resize_or_stay(more(found(group_pairs)));
   if (lacks(found(candidates), candidates_.size())) candidates_.resize_or_stay(more(found(candidates)));
