@@ -53,6 +53,7 @@ void add_worlds(CLI::App& run, RunOptions& options) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->needs(worlds);
   run.add_option("--seed", options.seed, "With --vary: which random numbers; by default 1")
+      ->check(CLI::NonNegativeNumber)
       ->type_name("N")
       ->needs(worlds);
 }

@@ -23,6 +23,17 @@ void remove_quietly(const std::filesystem::path& file) {
   std::filesystem::remove(file, ignored);
 }
 
+/// A rename would put a file in the place of a device or a pipe.
+void expect_replaceable(const std::filesystem::path& path) {
+  if (path.native().find('\0') != std::string::npos)
+    throw Error(ErrorCode::invalid_argument, "the path of a file has a NUL character: " +
+                                                 path.native().substr(0, path.native().find('\0')));
+  std::error_code unknown;  // then the system refuses to write there
+  const std::filesystem::file_status there = std::filesystem::status(path, unknown);
+  if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there))
+    throw Error(ErrorCode::io, "cannot write " + path.string() + ": it is there, and is not a regular file");
+}
+
 /// Opens what make_part has made for `path`, or removes it.
 std::ofstream open_part(const std::filesystem::path& part, const std::filesystem::path& path) {
   try {
@@ -69,6 +80,7 @@ void OutputFile::commit() {
 }
 
 std::filesystem::path make_part(const std::filesystem::path& path) {
+  expect_replaceable(path);
   std::random_device random;
   for (;;) {
     // A path at once: once the file is there, nothing may fail before its name is known.

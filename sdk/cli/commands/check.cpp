@@ -48,7 +48,7 @@ json counts_of(const Scene& scene, const BuiltScene& built) {
 }
 
 json report_of(const Scene& scene, const BuiltScene& built) {
-  json warnings = oddities_of(built);
+  json warnings = oddities_of(scene, built);
   json meshes = mesh_reports(scene);
   for (const json& mesh : meshes) {
     if (!mesh.at("warning").is_null()) warnings.push_back(mesh.at("warning"));

@@ -15,6 +15,7 @@
 #include "sdk/cli/commands/exit_code.h"
 #include "sdk/cli/commands/progress.h"
 #include "sdk/cli/commands/resume.h"
+#include "sdk/cli/commands/run_files.h"
 #include "sdk/cli/commands/scene_warnings.h"
 #include "sdk/cli/output/folder_lock.h"
 #include "sdk/cli/output/frame_exporter.h"
@@ -43,6 +44,7 @@ bool exports(const RunOptions& options, const char* format) {
 }
 
 Scene scene_of(const RunOptions& options) {
+  expect_files_apart(options);
   if (exports(options, "vdb")) io::require_vdb();
   if (exports(options, "abc")) io::require_abc();
   Scene scene = chosen_scene(options.scene);
@@ -52,7 +54,10 @@ Scene scene_of(const RunOptions& options) {
 }
 
 std::filesystem::path folder_of(const RunOptions& options, const Scene& scene) {
-  return options.out.empty() ? default_folder(scene) : std::filesystem::path(options.out);
+  std::filesystem::path folder =
+      options.out.empty() ? default_folder(scene) : std::filesystem::path(options.out);
+  expect_inputs_kept(options, folder);
+  return folder;
 }
 
 const std::filesystem::path& made(const std::filesystem::path& folder) {
@@ -122,7 +127,7 @@ class Run {
         exporter_(cleared(folder_, options, built_.world), options.formats, options.surface, scene_,
                   ranks ? ranks->count() : 0),
         recorder_(folder_, scene_) {
-    warn_of_oddities(built_);
+    warn_of_oddities(scene_, built_);
   }
 
   /// From here on an error ends the run but not the program: the results so far are still written.

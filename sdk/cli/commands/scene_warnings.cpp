@@ -6,12 +6,31 @@
 
 #include <spdlog/spdlog.h>
 
+#include <cmath>
+
 #include "sdk/io/plain_text.h"
 
 namespace meniscus::cli {
+namespace {
 
-std::vector<std::string> oddities_of(const BuiltScene& built) {
+/// Warns of a frame time that looks like one in milliseconds.
+void warn_of_long_substeps(const Scene& scene, std::vector<std::string>& oddities) {
+  constexpr double most_spacings = 4;
+  const WorldDef& def = scene.world;
+  const double substep = double{scene.frame_time} / (def.cfl_number > 0 ? def.max_substeps : def.substeps);
+  const double fall = std::hypot(def.gravity.x, def.gravity.y, def.gravity.z) * substep * substep;
+  if (fall > most_spacings * double{def.particle_spacing})
+    oddities.push_back(fmt::format(
+        "a substep has {:.3g} s, in which gravity moves things by {:.3g} m: particles are {:.3g} m "
+        "apart. frame_time is in seconds",
+        substep, fall, def.particle_spacing));
+}
+
+}  // namespace
+
+std::vector<std::string> oddities_of(const Scene& scene, const BuiltScene& built) {
   std::vector<std::string> oddities;
+  warn_of_long_substeps(scene, oddities);
   for (std::size_t i = 0; i < built.volumes.size(); ++i) {
     if (built.volumes[i] == 0) oddities.push_back(fmt::format("volumes[{}] makes no particles", i));
   }
@@ -31,8 +50,8 @@ std::vector<std::string> oddities_of(const BuiltScene& built) {
   return oddities;
 }
 
-void warn_of_oddities(const BuiltScene& built) {
-  for (const std::string& oddity : oddities_of(built)) spdlog::warn("{}", oddity);
+void warn_of_oddities(const Scene& scene, const BuiltScene& built) {
+  for (const std::string& oddity : oddities_of(scene, built)) spdlog::warn("{}", oddity);
 }
 
 }  // namespace meniscus::cli

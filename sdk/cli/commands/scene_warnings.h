@@ -11,11 +11,11 @@
 
 namespace meniscus::cli {
 
-/// What a scene probably does not intend: a volume without particles, nothing that can move, and what
-/// World::warnings() finds. Also which meshes were repaired, and how well.
-std::vector<std::string> oddities_of(const BuiltScene& built);
+/// What a scene probably does not intend: a volume without particles, nothing that can move, substeps that
+/// are far too long, and what World::warnings() finds. Also which meshes were repaired, and how well.
+std::vector<std::string> oddities_of(const Scene& scene, const BuiltScene& built);
 
 /// Logs them as warnings.
-void warn_of_oddities(const BuiltScene& built);
+void warn_of_oddities(const Scene& scene, const BuiltScene& built);
 
 }  // namespace meniscus::cli

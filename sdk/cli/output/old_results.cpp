@@ -24,25 +24,39 @@ void remove_matching(const fs::path& folder, const std::regex& names) {
   for (const fs::path& file : found) fs::remove(file, ignored);
 }
 
-}  // namespace
-
-void remove_old_results(const fs::path& folder) {
-  // A run that was killed leaves parts of files (see io::make_part).
-  static const std::regex figures(
+// A run that was killed leaves parts of files (see io::make_part).
+const std::regex& figures() {
+  static const std::regex names(
       "((frames|bodies|cloths|attachments|worlds)\\.csv|(summary|worlds)\\.json|density\\.svg|(preview|"
       "contact_sheet)\\.png|"
       "(particles|diffuse|bodies|cloth|ropes|surface)\\.pvd|scene\\.(usda|abc))(\\.[0-9a-f]{8}\\.part)?");
-  static const std::regex frames(
+  return names;
+}
+
+const std::regex& frames() {
+  static const std::regex names(
       "((frame|diffuse|bodies|cloth|ropes|surface)_[0-9]{5,}\\.(ply|vtp|obj)|(frame|diffuse)_[0-9]{5,}(\\.p|_"
       "of_rank_["
       "0-9]+\\.)vtp|shapes\\.(ply|vtp|obj)|liquid_["
       "0-9]{5,}\\.vdb|"
       "usd(_static|_manifest|\\.[0-9]{5,})\\.usda|render_[0-9]{5,}\\.png)"
       "(\\.[0-9a-f]{8}\\.part)?");
-  remove_matching(folder, figures);
+  return names;
+}
+
+}  // namespace
+
+bool is_result(const fs::path& file, const fs::path& folder) {
+  const std::string name = file.filename().string();
+  return (file.parent_path() == folder && std::regex_match(name, figures())) ||
+         (file.parent_path() == folder / "frames" && std::regex_match(name, frames()));
+}
+
+void remove_old_results(const fs::path& folder) {
+  remove_matching(folder, figures());
   std::error_code unknown;
   if (fs::is_symlink(folder / "frames", unknown)) return;
-  remove_matching(folder / "frames", frames);
+  remove_matching(folder / "frames", frames());
   std::error_code not_empty;
   fs::remove(folder / "frames", not_empty);
 }

@@ -12,4 +12,7 @@ namespace meniscus::cli {
 /// run, or one of another scene, would leave some of them among its own. Files that cannot be removed stay.
 void remove_old_results(const std::filesystem::path& folder);
 
+/// Whether a run in the folder gives a file of its own this path. Both are resolved.
+bool is_result(const std::filesystem::path& file, const std::filesystem::path& folder);
+
 }  // namespace meniscus::cli

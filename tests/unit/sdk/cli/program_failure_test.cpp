@@ -3,6 +3,8 @@
 //
 // The command line program where the system refuses what it asks for, or where names and files are hostile.
 
+#include <sys/stat.h>
+
 #include "sdk/cli/commands/scene_lookup.h"
 #include "sdk/cli/output/folder_lock.h"
 #include "tests/no_threads.h"
@@ -75,6 +77,33 @@ TEST_F(ProgramTest, SymbolicLinksInTheFolderAreReplacedAndNotFollowed) {
     EXPECT_EQ(bytes(folder_ / name), "mine") << name;
     EXPECT_FALSE(fs::is_symlink(fs::path(out()) / name)) << name;
   }
+}
+
+TEST_F(ProgramTest, ARecordingReplacesNoPipe) {
+  const std::string pipe = (folder_ / "pipe").string();
+  mkfifo(pipe.c_str(), 0600);
+  EXPECT_EXIT(
+      run({"run", "drop", "--device", "cpu", "--frames", "1", "--quiet", "--out", out(), "--record", pipe}),
+      testing::ExitedWithCode(bad_input), "pipe: it is there, and is not a regular file");
+  EXPECT_TRUE(fs::is_fifo(pipe));
+}
+
+TEST_F(ProgramTest, ARunDoesNotReplaceItsInputs) {
+  fs::create_directories(out());
+  fs::copy_file(folder_ / "drop.json", fs::path(out()) / "summary.json",
+                fs::copy_options::overwrite_existing);
+  const std::string scene = (fs::path(out()) / "summary.json").string(), before = bytes(scene);
+  const auto is_refused = [&](std::vector<std::string> more, const char* why) {
+    std::vector<std::string> words{"run", scene, "--device", "cpu", "--frames", "1", "--quiet"};
+    words.insert(words.end(), more.begin(), more.end());
+    EXPECT_EXIT(run(words), testing::ExitedWithCode(bad_input), why);
+    EXPECT_EQ(bytes(scene), before);
+  };
+  is_refused({"--out", out()}, "would replace the scene, .*--out names another folder");
+  const std::string elsewhere = (folder_ / "elsewhere").string(), file = (folder_ / "both").string();
+  is_refused({"--out", elsewhere, "--record", scene}, "--record .* would replace the scene");
+  is_refused({"--out", elsewhere, "--record", file, "--video", file},
+             "--video .*both would replace --record");
 }
 
 TEST_F(ProgramTest, AFolderOfFramesThatIsALinkIsRefused) {

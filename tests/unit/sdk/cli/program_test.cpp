@@ -350,6 +350,11 @@ TEST_F(ProgramTest, WhatTheWorldRefusesIsNamedByItsPlaceInTheScene) {
   }
 }
 
+TEST_F(ProgramTest, AFrameTimeInMillisecondsIsAWarning) {
+  EXPECT_EXIT(run({"check", "drop", "--set", "frame_time=16"}), testing::ExitedWithCode(success),
+              testing::ContainsRegex("meniscus: a substep has .* frame_time is in seconds\n"));
+}
+
 TEST_F(ProgramTest, AVolumeWithoutParticlesIsAWarning) {
   write("dry.json", R"({ "name": "dry", "frames": 1, "fluids": [{ "name": "water" }], "volumes": [
     { "fluid": "water", "region": { "type": "box", "lower": [0, 0, 0], "upper": [0.4, 0.4, 0.4] } },
