@@ -5,10 +5,16 @@
 #include "sdk/scene/closest_name.h"
 
 #include <algorithm>
+#include <cctype>
 #include <numeric>
 
 namespace meniscus {
 namespace {
+
+std::string in_lower_case(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
 
 /// How many letters to insert, remove, change, or exchange with the next one (optimal string alignment).
 std::size_t edit_distance(const std::string& a, const std::string& b) {
@@ -33,15 +39,25 @@ std::string quoted_list(const std::vector<std::string>& names) {
   return text.empty() ? "none" : text;
 }
 
+/// Of two names in lower case. The beginning of a name is near to it, however long the rest.
+std::size_t distance_between(const std::string& unknown, const std::string& known) {
+  constexpr std::size_t telling = 4;  // letters
+  if (unknown.size() >= telling && known.starts_with(unknown))
+    return std::min(known.size() - unknown.size(), std::size_t{1});
+  return edit_distance(unknown, known);
+}
+
 }  // namespace
 
 std::string name_hint(const std::string& unknown, const std::vector<std::string>& known) {
   constexpr std::size_t longest_word = 64;  // longer is no slip of the finger, and not worth the search
   const std::string* best = nullptr;
-  std::size_t best_distance = unknown.size() / 4 + 2;  // a slip or two, more in a long word
+  const std::string written = in_lower_case(unknown);
+  std::size_t best_distance =
+      written.size() < 3 ? 1 : (written.size() + 3) / 4 + 1;  // a slip in each four letters
   for (const std::string& name : known) {
     if (unknown.size() > longest_word) break;
-    const std::size_t distance = edit_distance(unknown, name);
+    const std::size_t distance = distance_between(written, in_lower_case(name));
     if (distance >= best_distance) continue;
     best = &name;
     best_distance = distance;

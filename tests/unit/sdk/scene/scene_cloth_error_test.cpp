@@ -64,8 +64,8 @@ INSTANTIATE_TEST_SUITE_P(
     Cloth, SceneClothMistake,
     testing::Values(
         Mistake{
-            "UnknownKey", "/cloths/0/fabric/warp", "1",
-            R"(cloths[0].fabric.warp: unknown key; allowed: "density", "stretch_model", "warp_stiffness", )"
+            "UnknownKey", "/cloths/0/fabric/grain", "1",
+            R"(cloths[0].fabric.grain: unknown key; allowed: "density", "stretch_model", "warp_stiffness", )"
             R"("weft_stiffness", "shear_stiffness", "bending_model", "bending_stiffness", "unyielding", )"
             R"("stretch_damping", "bending_damping", "thickness", "friction", "fluid_friction", )"
             R"("fluid_adhesion", "slip_length", "permittivity", "absorbency", "retention", "drainage", "drag", )"

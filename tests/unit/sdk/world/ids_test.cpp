@@ -67,5 +67,10 @@ TEST(Ids, WorldsThatWereMadeLongAfterRefuseThem) {
   }
 }
 
+TEST(Ids, OneThatIsNotSetIsCalledSo) {
+  World world{WorldDef{}};
+  expect_error(ErrorCode::not_found, "the id of the fluid is not set", [&] { world.add_fluid({}); });
+}
+
 }  // namespace
 }  // namespace meniscus::tests
