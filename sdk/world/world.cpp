@@ -67,14 +67,12 @@ ShapeId World::Calls::create_shape(const ShapeDef& def) {
 
 /// Adds the shape to the rigid world.
 ShapeEntry World::Impl::make_shape(const ShapeDef& shape, const collision::RigidPlace& place) {
-  ShapeEntry entry{shape, {}, {}};
+  ShapeEntry entry{shape, {}};
   {
     const pbd::CallMonitor::Cancellable undone_within(monitor());
     entry.solid =
         make_solid(shape.geometry, shape.surface, shape.filter, SolidRole::fixed, 0, solid_context());
   }
-  if (const auto* container = std::get_if<ContainerGeometry>(&shape.geometry))
-    entry.inside = container->half_extents;
   const pbd::PeriodicAxes axes = periodic_axes(def.periodic);
   for (const SolidPieces::Piece& piece : entry.solid.pieces)
     with_seam_images(placed(piece, shape.pose), axes, kernel.h, shape.name);

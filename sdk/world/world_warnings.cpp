@@ -5,6 +5,7 @@
 #include <meniscus/world.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -32,8 +33,31 @@ std::string quoted(const char* kind, const std::string& name) {
   return std::string(kind) + " \"" + name + "\"";
 }
 
-bool is_outside(Vec3 half, Vec3 p) {
-  return max_component(abs(p) - half) > 0;
+std::array<float, 3> components(Vec3 v) {
+  return {v.x, v.y, v.z};
+}
+
+/// Whether a point beyond a face of the container is before an opening in it.
+bool is_before_opening(const ContainerGeometry& container, size_t axis, Face face, Vec3 p) {
+  const std::array<float, 3> at = components(p);
+  return std::ranges::any_of(container.openings, [&](const Opening& opening) {
+    if (opening.face != face) return false;
+    if (!opening.region) return true;
+    const std::array<float, 3> lower = components(opening.region->lower),
+                               upper = components(opening.region->upper);
+    const auto is_within = [&](size_t k) { return k == axis || (at[k] >= lower[k] && at[k] <= upper[k]); };
+    return is_within(0) && is_within(1) && is_within(2);
+  });
+}
+
+/// p in the container's frame.
+bool is_outside(const ContainerGeometry& container, Vec3 p) {
+  const std::array<float, 3> at = components(p), half = components(container.half_extents);
+  for (size_t axis = 0; axis < 3; ++axis) {
+    const auto face = static_cast<Face>(2 * axis + (at[axis] > 0 ? 1 : 0));
+    if (std::abs(at[axis]) > half[axis] && !is_before_opening(container, axis, face, p)) return true;
+  }
+  return false;
 }
 
 /// m: the distance from a float of this size to the next one.
@@ -107,9 +131,10 @@ void World::Impl::warn_of_places(std::vector<std::string>& warnings) {
                           std::span<const Vec3> points) {
     for (const Vec3 p : points) note(p);
     shapes.for_each([&](uint32_t, const ShapeEntry& shape) {
-      if (!shape.inside || shape.solid.pieces.empty()) return;
+      const auto* container = std::get_if<ContainerGeometry>(&shape.def.geometry);
+      if (!container || shape.solid.pieces.empty()) return;
       if (!pbd::meet(filter, shape.solid.pieces.front().shape.surface.filter)) return;
-      const auto out = [&](Vec3 p) { return is_outside(*shape.inside, to_local(shape.def.pose, p)); };
+      const auto out = [&](Vec3 p) { return is_outside(*container, to_local(shape.def.pose, p)); };
       if (std::ranges::all_of(points, out))
         warnings.push_back(sentence("the ", what, " is outside of the ", quoted("container", shape.def.name),
                                     ", whose walls fill the space around it"));

@@ -24,7 +24,6 @@ namespace meniscus {
 struct ShapeEntry {
   ShapeDef def;
   SolidPieces solid;
-  std::optional<Vec3> inside;  ///< m, half extents, of a container
 };
 
 struct BodyEntry {

@@ -83,6 +83,19 @@ TEST_P(WarningsTest, ClothAndBodiesBesideAContainerAreNamed) {
   EXPECT_NE(found[1].find("the body \"beside\""), std::string::npos) << found[1];
 }
 
+TEST_P(WarningsTest, BodiesAboveAnOpenContainerAreInside) {
+  ShapeDef vessel = tank({-1, 0, -1}, {1, 2, 1});
+  ContainerGeometry& inside = std::get<ContainerGeometry>(vessel.geometry);
+  inside.openings = {{Face::y_high, {}}, {Face::x_high, Aabb{{0, -0.5f, -0.5f}, {0, 0.5f, 0.5f}}}};
+  world_.create_shape(vessel);
+  add_box("above", {0, 5, 0});
+  add_box("before the hole", {3, 1, 0});
+  EXPECT_TRUE(with("outside of the container").empty());
+  add_box("below", {0, -1, 0});
+  add_box("beside the hole", {3, 1, 0.8f});
+  EXPECT_EQ(with("outside of the container").size(), 2u);
+}
+
 TEST_P(WarningsTest, DragOnFreeFallIsNamed) {
   add_box("feather", {0, 1, 0}, 0.5f);
   add_box("stone", {2, 1, 0});
