@@ -55,14 +55,14 @@ void bind_changes(nb::class_<PyBatch>& batch) {
         if (mask && chosen.empty()) throw nb::value_error("reset(): the mask has no elements");
         self.run([&](WorldBatch& b) { b.reset(chosen); });
       },
-      nb::arg("mask") = nb::none(),
+      nb::arg("mask").noconvert() = nb::none(),
       "Gives the archetype's state to the worlds where mask is True, or to all.");
   batch.def(
       "set_active",
       [](const PyBatch& self, const Mask& mask) {
         self.run([&, chosen = bytes_of(mask)](WorldBatch& b) { b.set_active(chosen); });
       },
-      nb::arg("mask"), "Worlds where mask is False stay as they are.");
+      nb::arg("mask").noconvert(), "Worlds where mask is False stay as they are.");
   batch.def(
       "set_gravities",
       [](const PyBatch& self, const Vectors& gravities) {

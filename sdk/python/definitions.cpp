@@ -101,7 +101,7 @@ void bind_struct(nb::module_& module) {
       [](const T& self, nb::handle other) {
         return nb::isinstance<T>(other) && repr(self) == repr(*nb::cast<const T*>(other));
       },
-      nb::sig("def __eq__(self, other: object, /) -> bool"));
+      nb::arg("other").none(), nb::sig("def __eq__(self, other: object, /) -> bool"));
   type.def("__hash__", [](const T& self) { return std::hash<std::string>()(repr(self)); });
   type.def(
       "__getstate__", [](const T& self) { return members_of(self); },

@@ -40,7 +40,7 @@ nb::class_<Handle<Id>> bind_thing(nb::module_& module, nb::class_<PyWorld>& worl
       [](const Thing& self, nb::handle other) {
         return nb::isinstance<Thing>(other) && self == *nb::cast<const Thing*>(other);
       },
-      nb::sig("def __eq__(self, other: object, /) -> bool"));
+      nb::arg("other").none(), nb::sig("def __eq__(self, other: object, /) -> bool"));
   type.def("__hash__", [](const Thing& self) {
     return std::hash<const void*>()(self.state.get()) ^ (std::size_t{self.id.index} << 8);
   });

@@ -40,6 +40,8 @@ class BatchTest(unittest.TestCase):
         self.assertEqual([s.time for s in batch.status], [np.float32(DT), 0])
         batch.set_active(np.array([False, True]))
         self.assertEqual(batch.step(DT).stepped, 1)
+        with self.assertRaises(TypeError):  # numbers of worlds are no mask
+            batch.reset(np.array([0, 1]))
 
     def test_an_extracted_world_goes_on(self):
         batch = meniscus.WorldBatch(archetype(), worlds=2)

@@ -88,6 +88,8 @@ class Definitions(unittest.TestCase):
         self.assertEqual(box, meniscus.BoxGeometry(half_extents=[1, 2, 3]))
         self.assertNotEqual(box, meniscus.BoxGeometry())
         self.assertNotEqual(box, 3)
+        self.assertFalse(box == None)  # noqa: E711
+        self.assertEqual([None, box].index(box), 1)
         self.assertEqual({box: 1}[meniscus.BoxGeometry(half_extents=(1, 2, 3))], 1)
         with self.assertRaises(AttributeError):
             box.half_extents = (1, 1, 1)
@@ -116,6 +118,7 @@ class Definitions(unittest.TestCase):
                 (lambda: meniscus.World(threads=2**40), ValueError, "threads"),
                 (lambda: meniscus.World(particle_spacing=-1), ValueError, "particle_spacing"),
                 (lambda: world.add_body(), TypeError, "needs the argument geometry"),
+                (lambda: world.save("here\0there"), ValueError, "NUL character: here"),
                 (lambda: world.add_body(geometry=meniscus.PlaneGeometry()), TypeError, "one of BoxGeometry"),
                 (lambda: world.add_body(geometry=meniscus.BoxGeometry(), density=-1), ValueError, "density"),
                 (lambda: world.add_volume(fluid=3, region=meniscus.BoxRegion()), TypeError, "must be a Fluid"),
