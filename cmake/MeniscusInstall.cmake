@@ -20,10 +20,10 @@ if(MENISCUS_BUILD_C)
 endif()
 install(EXPORT MeniscusTargets NAMESPACE Meniscus:: DESTINATION ${package_folder} COMPONENT development)
 
-configure_package_config_file(cmake/MeniscusConfig.cmake.in ${PROJECT_BINARY_DIR}/MeniscusConfig.cmake
+configure_package_config_file(cmake/MeniscusConfig.cmake.in ${PROJECT_BINARY_DIR}/package/MeniscusConfig.cmake
   INSTALL_DESTINATION ${package_folder} NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)
-write_basic_package_version_file(${PROJECT_BINARY_DIR}/MeniscusConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-install(FILES ${PROJECT_BINARY_DIR}/MeniscusConfig.cmake ${PROJECT_BINARY_DIR}/MeniscusConfigVersion.cmake
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/MeniscusConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/package/MeniscusConfig.cmake ${PROJECT_BINARY_DIR}/package/MeniscusConfigVersion.cmake
   cmake/MeniscusBullet.cmake cmake/MeniscusFind.cmake DESTINATION ${package_folder} COMPONENT development)
 include(MeniscusPkgConfig)
 install(FILES ${PROJECT_BINARY_DIR}/meniscus.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
