@@ -67,7 +67,7 @@ class IdTable {
   const T& get(IdType id) const {
     if (const T* value = find(id)) return *value;
     if (id == IdType{})
-      throw Error(ErrorCode::not_found, std::string("the id of the ") + what_ + " is not set");
+      throw Error(ErrorCode::not_found, std::string("no ") + what_ + " is meant: the id is not set");
     throw Error(ErrorCode::not_found, std::string("no ") + what_ + " has the index " +
                                           std::to_string(id.index) + " and the generation " +
                                           std::to_string(id.generation) + " in this world");

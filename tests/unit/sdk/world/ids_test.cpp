@@ -69,7 +69,7 @@ TEST(Ids, WorldsThatWereMadeLongAfterRefuseThem) {
 
 TEST(Ids, OneThatIsNotSetIsCalledSo) {
   World world{WorldDef{}};
-  expect_error(ErrorCode::not_found, "the id of the fluid is not set", [&] { world.add_fluid({}); });
+  expect_error(ErrorCode::not_found, "no fluid is meant: the id is not set", [&] { world.add_fluid({}); });
 }
 
 }  // namespace
