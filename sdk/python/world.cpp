@@ -8,6 +8,8 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
+#include <cmath>
+
 #include "sdk/python/definitions.h"
 #include "sdk/python/lent.h"
 #include "sdk/python/values/describe.h"
@@ -95,7 +97,11 @@ void bind_steps(nb::class_<PyWorld>& world) {
       "progress where tqdm is installed.");
   world.def_prop_rw(
       "frame_time", [](const PyWorld& self) { return plain_number(self.state->frame_time); },
-      [](const PyWorld& self, float dt) { self.state->frame_time = dt; },
+      [](const PyWorld& self, float dt) {
+        if (!(dt > 0 && std::isfinite(dt)))
+          throw nb::value_error("frame_time must be a positive number of seconds");
+        self.state->frame_time = dt;
+      },
       "s, the length of a step that names none: that of the scene, or 1/60.");
   world.def_prop_ro(
       "frames", [](const PyWorld& self) { return self.state->frames; },
@@ -108,7 +114,12 @@ void bind_steps(nb::class_<PyWorld>& world) {
         const nb::object& f = self.state->on_progress;
         return f.is_valid() ? f : nb::object(nb::none());
       },
-      [](const PyWorld& self, nb::object f) { self.state->on_progress = std::move(f); }, nb::arg().none(),
+      [](const PyWorld& self, nb::object f) {
+        if (!f.is_none() && !PyCallable_Check(f.ptr()))
+          throw nb::type_error("on_progress must be a function or None");
+        self.state->on_progress = std::move(f);
+      },
+      nb::arg().none(),
       nb::for_getter(
           nb::sig("def on_progress(self) -> collections.abc.Callable[[str, float], object] | None")),
       nb::for_setter(nb::sig("def on_progress(self, value: collections.abc.Callable[[str, float], object] | "

@@ -27,6 +27,8 @@ def steps(frames: int, progress: bool) -> Iterable[int]:
 
 def run(world: World, frames: int | None, dt: float | None, progress: bool) -> StepReport | None:
     """World.run."""
+    if frames is not None and frames < 0:
+        raise ValueError(f"run(): frames is {frames}; it must be at least 0")
     report = None
     for _ in steps(world.frames if frames is None else frames, progress):
         report = world.step(dt)
