@@ -53,13 +53,6 @@ Scene scene_of(const RunOptions& options) {
   return scene;
 }
 
-std::filesystem::path folder_of(const RunOptions& options, const Scene& scene) {
-  std::filesystem::path folder =
-      options.out.empty() ? default_folder(scene) : std::filesystem::path(options.out);
-  expect_inputs_kept(options, folder);
-  return folder;
-}
-
 const std::filesystem::path& made(const std::filesystem::path& folder) {
   make_folder(folder);
   return folder;
@@ -114,7 +107,7 @@ class Run {
         liquid_(options.surface || exports(options, "vdb")),
         has_texture_(!options.formats.empty() || options.picture.any()),
         writes_pieces_(ranks && exports(options, "vtp")),
-        folder_(folder_of(options, scene_)),
+        folder_(results_folder(options, scene_)),
         built_(built_of(options, scene_, ranks != nullptr)),
         shared_(ranks ? std::make_unique<SharedWorld>(built_.world, *ranks, cuts_of(options)) : nullptr),
         reached_(frame_of(built_.world, scene_)),
@@ -297,7 +290,7 @@ int follow(const RunOptions& options, pbd::Ranks& ranks) {
   const Scene scene = scene_of(options);
   BuiltScene built = built_of(options, scene, true);
   SharedWorld shared(built.world, ranks, cuts_of(options));
-  follow_and_write(shared, ranks, folder_of(options, scene));
+  follow_and_write(shared, ranks, results_folder(options, scene));
   return success;
 }
 

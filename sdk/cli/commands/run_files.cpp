@@ -47,12 +47,14 @@ void expect_files_apart(const RunOptions& options) {
   }
 }
 
-void expect_inputs_kept(const RunOptions& options, const fs::path& folder) {
+fs::path results_folder(const RunOptions& options, const Scene& scene) {
+  fs::path folder = options.out.empty() ? default_folder(scene) : fs::path(options.out);
   for (const auto& [name, path] : inputs_of(options)) {
     if (is_result(whole(path), whole(folder)))
       throw Error(ErrorCode::invalid_argument, "results in " + folder.string() + " would replace " + name +
                                                    ", " + path.string() + ": --out names another folder");
   }
+  return folder;
 }
 
 }  // namespace meniscus::cli

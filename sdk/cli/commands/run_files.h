@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: MIT
 //
-// Which files a run may not replace.
+// Where a run writes, and which files it may not replace.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +14,8 @@ namespace meniscus::cli {
 /// continue from, or one another.
 void expect_files_apart(const RunOptions& options);
 
-/// Throws Error(invalid_argument) if results in the folder would replace the scene or the snapshot.
-void expect_inputs_kept(const RunOptions& options, const std::filesystem::path& folder);
+/// The folder for the results of a run. Throws Error(invalid_argument) if they would replace the scene or the
+/// snapshot.
+std::filesystem::path results_folder(const RunOptions& options, const Scene& scene);
 
 }  // namespace meniscus::cli

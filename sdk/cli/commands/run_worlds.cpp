@@ -14,6 +14,7 @@
 
 #include "sdk/cli/commands/exit_code.h"
 #include "sdk/cli/commands/progress.h"
+#include "sdk/cli/commands/run_files.h"
 #include "sdk/cli/output/folder_lock.h"
 #include "sdk/cli/output/frame_exporter.h"
 #include "sdk/cli/output/old_results.h"
@@ -60,7 +61,7 @@ class WorldsRun {
       : varied_(varied(options)),
         given_(chosen_scene(batch_choice(options.scene))),
         scene_(for_batch(given_)),
-        folder_(options.out.empty() ? default_folder(scene_) : std::filesystem::path(options.out)),
+        folder_(results_folder(options, scene_)),
         frames_(options.frames.value_or(scene_.frames)),
         batch_(build_scene(scene_).world, {static_cast<uint32_t>(*options.worlds)}) {
     say_what_is_left_out(given_);

@@ -100,6 +100,7 @@ TEST_F(ProgramTest, ARunDoesNotReplaceItsInputs) {
     EXPECT_EQ(bytes(scene), before);
   };
   is_refused({"--out", out()}, "would replace the scene, .*--out names another folder");
+  is_refused({"--out", out(), "--worlds", "2"}, "would replace the scene, .*--out names another folder");
   const std::string elsewhere = (folder_ / "elsewhere").string(), file = (folder_ / "both").string();
   is_refused({"--out", elsewhere, "--record", scene}, "--record .* would replace the scene");
   is_refused({"--out", elsewhere, "--record", file, "--video", file},
